@@ -1,4 +1,4 @@
-// etalon-bench accuracy: the hard cases, by the million, against the oracle.
+// etalon-bench accuracy: compares tracers with the oracle on the hard cases, with millions of rays.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,8 +35,8 @@ struct AccuracyArguments {
     table::Detail detail() const { return wide ? table::Detail::wide : table::Detail::narrow; }
 };
 
-/// "SPH" names all rows whose id begins so, "SPH-1" those of that id, "SPH-1/1e3" those of them
-/// whose variant begins so.
+/// Returns whether a row matches a name: "SPH" matches all ids that begin with it, "SPH-1" that id,
+/// and "SPH-1/1e3" those of its variants that begin with "1e3".
 bool is_named(const HardCase& c, const std::vector<std::string>& names) {
     const std::string full = c.id + '/' + c.variant;
     return names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string& name) {
@@ -58,7 +58,7 @@ int list_cases(const std::vector<HardCase>& cases) {
     return exit_done;
 }
 
-/// The rows until a stop; the case in which it came may have fewer rays.
+/// Measures rows until a stop; the case that was interrupted may have fewer rays.
 std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardCase>& cases,
                              const std::atomic<bool>& stop) {
     std::vector<const Backend*> backends;
@@ -81,14 +81,14 @@ std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardC
     return all;
 }
 
-/// A backend or kernel that promises to be right, and was not.
+/// Returns whether a backend or kernel that is exact had an error.
 bool is_broken_promise(const Row& row) {
     return row.exact && row.stats.errors() > 0;
 }
 
 const std::string partial = "Stopped by a signal: not all cases and rays.\n";
 
-/// Writes a plot for each shape that was measured, with remarks on it.
+/// Writes a plot with remarks for each shape that was measured.
 bool write_plots(const std::string& folder, const std::vector<HardCase>& cases,
                  const std::vector<Row>& rows) {
     bool written = true;

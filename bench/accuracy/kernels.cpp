@@ -5,7 +5,7 @@
 namespace etalon::accuracy {
 namespace {
 
-/// The project's kernel in the form of a textbook's.
+/// Adapts the project's kernel to the interface of textbook kernels.
 template <class Shape>
 struct ProjectKernel {
     using RayForm = RayQuery;

@@ -14,7 +14,7 @@ namespace etalon::accuracy {
 namespace {
 
 constexpr std::uint64_t block_size = 4096;
-constexpr std::uint64_t occlusion_every = 4;  ///< blocks that are asked for occlusion too
+constexpr std::uint64_t occlusion_every = 4;  ///< one block in so many also tests occlusion
 
 double thread_cpu_seconds() {
     timespec t = {};
@@ -29,7 +29,8 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// Its name is its seed: rows may come and go without changing the rays of others.
+/// The seed is a hash of the row's name, so that rows can be added and removed without changing the
+/// rays of others.
 std::uint64_t seed_of(const hard::HardCase& c) {
     std::uint64_t h = 0xcbf29ce484222325U;  // FNV-1a
     for (const char letter : c.id + '/' + c.variant) {
@@ -100,7 +101,7 @@ class Measurement {
         return entry.tracer->name() != reference_backend || all < budget_.tests;
     }
 
-    /// One block, whose results are then added to those of all.
+    /// Measures one block and adds its results to the total.
     void shoot(std::uint64_t number) {
         const std::uint64_t first = number * block_size;
         const std::uint64_t end = std::min(first + block_size, budget_.rays);
@@ -119,7 +120,8 @@ class Measurement {
         for (std::size_t k = 0; k < results.size(); ++k) results_[k] += results[k];
     }
 
-    /// Asks in turn from the first and from the last tracer, so that drift meets all alike.
+    /// Alternates between the first and the last tracer as the first to run, so that drift affects
+    /// all equally.
     std::vector<std::vector<Answer>> ask_all(const RayBlock& block, std::uint64_t first,
                                              std::vector<Result>& results) const {
         const std::size_t count = entries_.size();
@@ -142,7 +144,7 @@ class Measurement {
 
     void count_contradictions(const TracerEntry& entry, const RayBlock& block,
                               const std::vector<Answer>& answers, ErrorStats& stats) const {
-        if (!entry.refined) return;  // a textbook's kernel has but one answer
+        if (!entry.refined) return;  // a textbook kernel returns only t
         std::vector<char> occluded(answers.size());
         entry.tracer->occluded(block, occluded);
         for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -168,7 +170,7 @@ class Measurement {
     void shoot_at(const RayBlock& block, std::uint64_t first, std::vector<Result>& results) const {
         const auto answers = ask_all(block, first, results);
         const std::vector<OracleReference> references = references_of(block);
-        std::optional<ErrorStats> shared;  // by all who gave the same bits
+        std::optional<ErrorStats> shared;  // shared by all tracers with the same bits
         for (std::size_t k = 0; k < entries_.size(); ++k) {
             if (answers[k].empty()) continue;
             const bool same = entries_[k].exact && results[k].stats.deviations == 0;
@@ -197,7 +199,7 @@ class Measurement {
         return stats;
     }
 
-    /// The hits are those of the first tracer: all that are exact find the same.
+    /// Uses the hits of the first tracer, since all exact ones find the same.
     void shoot_spawned(const RayBlock& block, std::uint64_t first,
                        std::vector<Result>& results) const {
         std::vector<Answer> hits(block.rays.size(), missed);
@@ -226,7 +228,7 @@ class Measurement {
     std::vector<Row> rows() {
         constexpr const char* criteria[] = {"oracle", "enclosed", "spawned"};
         std::vector<Row> rows;
-        double unit = 0;  // of cost: the first textbook kernel's
+        double unit = 0;  // unit of cost: the time of the first textbook kernel
         for (std::size_t k = 0; k < entries_.size(); ++k) {
             const TracerEntry& e = entries_[k];
             const double ns = median(std::move(results_[k].nanoseconds));

@@ -12,13 +12,13 @@ namespace etalon::accuracy {
 namespace {
 
 constexpr double two_pi = 6.283185307179586;
-constexpr double other_root = 1e-2;  ///< of the size: further off than any but another root
+constexpr double other_root = 1e-2;  ///< relative to the size: a larger error means a wrong root
 
 double ulp_of_double(double x) {
     return std::nextafter(std::abs(x), infinity) - std::abs(x);
 }
 
-/// The spacing of floats at x, as if their exponent had no end.
+/// Returns the spacing of floats at x, as if their exponent were unbounded.
 double ulp_of_float(double x) {
     return std::ldexp(1.0, std::ilogb(x) - 23);
 }
@@ -29,8 +29,8 @@ Vec3 position(const Scene& scene, const TracerEntry& entry, const Ray& ray, cons
     return ray.origin + answer.t * ray.direction;
 }
 
-/// u (all magnitudes) / cosine: the change of t when origin, direction and shape move by a relative
-/// u each.
+/// Returns the change of t when origin, direction and shape change by a relative u each: u (sum of
+/// all magnitudes) / cosine.
 double sensitivity(const hard::CaseSetup& setup, const Ray& ray, const OracleAnswer& reference) {
     const SurfacePoint p = surface_at(setup.scene.geometry, ray,
                                       {reference.t, reference.primitive, reference.instance});
@@ -93,7 +93,8 @@ bool OracleReference::is_right_primitive(const TracerEntry& entry, const Answer&
     return key_of(answer.primitive, answer.instance) == lowest_of_the_nearest();
 }
 
-/// Among primitives too close to tell apart, the one that the rule for ties gives.
+/// Returns the primitive that the rule for ties selects among those that the oracle cannot
+/// distinguish.
 HitKey OracleReference::lowest_of_the_nearest() const {
     HitKey lowest = key_of(no_index, no_index);
     double t = ray_.tmax;

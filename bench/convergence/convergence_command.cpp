@@ -1,5 +1,5 @@
-// etalon-bench convergence: how soon an image comes to what it should be, by samplers and
-// backends, beside images of other programs.
+// etalon-bench convergence: the error of an image against CPU time, by sampler and backend,
+// compared with images of other programs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ Result<ReferenceImage> read_reference_image(const std::string& path,
     return {{std::move(image.value), path}, image.error};
 }
 
-/// Images of other programs of the scene, and their reference where the command line has none.
+/// Reads images of the scene by other programs, and their reference if the command line has none.
 Result<std::vector<ForeignImage>> read_foreign_images(ConvergenceArguments& a) {
     Result<std::vector<ForeignImage>> all = read_foreign_table(a.foreign);
     if (!all) return all;
@@ -69,8 +69,8 @@ Result<Measured> measure_integrator(const ConvergenceArguments& a, const bench::
     return {std::move(measured), {}};
 }
 
-/// Adds the images of other programs, measured against the reference; returns what is wrong with
-/// them, or nothing.
+/// Measures the images of other programs against the reference and adds them; returns an error
+/// message, or nothing.
 std::string measure_foreign_images(ConvergenceArguments& a, const RenderSettings& settings,
                                    Measured& measured) {
     const Result<std::vector<ForeignImage>> images = read_foreign_images(a);

@@ -8,18 +8,18 @@
 namespace etalon::convergence {
 namespace {
 
-/// Smallest number of samples from which the error follows the law that is fitted.
+/// Smallest number of samples from which the error follows the fitted power law.
 constexpr double fewest_samples = 4;
 
 /// Number of points, at the end of a curve, from which the floor is estimated.
 constexpr std::ptrdiff_t last_points = 4;
 
-/// Line through (x, y) that fits best.
+/// Best fitting line through (x, y).
 struct Line {
     double slope, at_zero;
 };
 
-/// Least squares; `weight` is that of a point's square.
+/// Fits a line by least squares; `weight` is the weight of a point's squared residual.
 template <class X, class Y, class Weight>
 Line line_through(std::span<const Point> points, const X& x, const Y& y, const Weight& weight) {
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
@@ -38,7 +38,7 @@ double slope_of(std::span<const Point> points) {
         .slope;
 }
 
-/// Fits in ratios, so that no point outweighs the others.
+/// Fits relative residuals, so that no point dominates.
 double floor_of(std::span<const Point> points) {
     return line_through(
                points, [](const Point& p) { return 1 / p.cpu_seconds; },

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Null for what is not known.
+/// Returns null for an unknown value.
 Json json_of(const std::optional<Fit>& fit, double Fit::*value) {
     return fit ? Json((*fit).*value) : Json();
 }

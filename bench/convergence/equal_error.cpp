@@ -12,12 +12,12 @@ bool has_error(const Point& p) {
     return p.relmse > 0 && std::isfinite(p.relmse);
 }
 
-/// CPU seconds of the whole process at a point of a curve.
+/// Returns the CPU seconds of the whole process at a point of a curve.
 double whole_seconds(const Curve& curve, const Point& p) {
     return curve.preparation + p.cpu_seconds;
 }
 
-/// From one end of a curve, an error that falls as 1 / time.
+/// Extrapolates from one end of a curve, with an error that falls as 1 / time.
 TimeToError extrapolated(const Curve& curve, const Point& end, double relmse) {
     return {curve.preparation + end.cpu_seconds * end.relmse / relmse, true};
 }

@@ -89,7 +89,7 @@ std::string csv_of(const CurveComparison& c) {
     return text;
 }
 
-/// Lines of points that nothing stands beside.
+/// Returns the lines of points that have no comparison.
 std::string csv_of(const std::string& name, const std::vector<Point>& points, double preparation) {
     std::string text;
     for (const Point& p : points) {

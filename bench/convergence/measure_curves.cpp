@@ -19,11 +19,11 @@ namespace {
 
 constexpr std::uint32_t reference_seed = 0x7ea1;
 
-/// An error that is never reached: an adaptive image ends at its samples.
+/// A target error that is never reached: an adaptive image ends at its number of samples.
 constexpr double no_error = 1e-30;
 constexpr int any_samples = 1 << 24;
 
-/// A scene made ready to be rendered again and again.
+/// A scene prepared for repeated rendering.
 class Studio {
   public:
     Studio(const Scene& scene, const std::string& backend)
@@ -32,7 +32,7 @@ class Studio {
     }
 
     std::unique_ptr<Integrator> integrator(const RenderSettings& settings) const {
-        std::vector<std::string> problems;  // said when the scene was read
+        std::vector<std::string> problems;  // reported when the scene was read
         return find_integrator(settings.integrator)
             ->make(scene_, *intersector_, settings, problems);
     }
@@ -47,7 +47,7 @@ class Studio {
     double build_seconds_ = 0;  ///< CPU time
 };
 
-/// One image, and what it is like after every pass. The time it takes to look is not counted.
+/// Renders one image and measures its error after every pass. The time of measuring is not counted.
 class SeedRun {
   public:
     SeedRun(const Studio& studio, const RenderSettings& settings, const ReferenceImage& reference,
@@ -101,7 +101,7 @@ class SeedRun {
     std::vector<Point> points_;
 };
 
-/// Pass by pass, as many as all have.
+/// Averages points pass by pass, up to the smallest number of passes.
 std::vector<Point> mean_of(const std::vector<std::vector<Point>>& seeds) {
     std::size_t passes = std::numeric_limits<std::size_t>::max();
     for (const auto& points : seeds) passes = std::min(passes, points.size());

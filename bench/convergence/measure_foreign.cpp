@@ -11,7 +11,7 @@
 namespace etalon::convergence {
 namespace {
 
-/// Why an image is none of these pixels; empty if its size is unknown or theirs.
+/// Returns why an image does not have these pixels; empty if its size is equal or unknown.
 std::string check_size(const ForeignImage& image, const RenderSettings& settings) {
     const Imath::V2i& asked = settings.resolution;
     const auto is_other = [](int given, int expected) { return given != 0 && given != expected; };

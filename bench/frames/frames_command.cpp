@@ -1,4 +1,4 @@
-// etalon-bench frames: where the time of a frame goes, and how much of it is not intersections.
+// etalon-bench frames: the time of each stage of a frame, and the share of intersection.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -25,10 +25,10 @@ namespace {
 
 using speed::median;
 
-/// Number of rays that are kept to be asked again, about.
+/// Approximate number of rays that are recorded to be traced again.
 constexpr std::uint64_t recorded_rays = 2'000'000;
 
-/// Sees black everywhere, at once: what is left of a rendering are its camera rays and its film.
+/// Returns black without tracing a ray: the time that remains is that of camera rays and film.
 class Black : public Integrator {
   public:
     void radiance(const CameraSamples&, std::span<Color> colors, RayCounts&) const override {
@@ -36,7 +36,7 @@ class Black : public Integrator {
     }
 };
 
-/// One frame, measured again and again.
+/// Measures one frame repeatedly.
 class Frame {
   public:
     Frame(const Scene& scene, const RenderSettings& settings, const std::atomic<bool>* stop)
@@ -70,7 +70,7 @@ class Frame {
     }
 
   private:
-    /// CPU seconds of the parts that are measured again and again.
+    /// CPU seconds of the stages that are measured repeatedly.
     struct Repeat {
         double build, render, intersection, film, camera, write;
     };
@@ -123,7 +123,7 @@ class Frame {
         return render(scene_.camera, integrator, settings_, control_);
     }
 
-    /// Seconds that adding so many samples to a film takes.
+    /// Returns the seconds that adding so many samples to a film takes.
     static double add_samples(const Film& like) {
         Film film(like.window());
         Stopwatch watch;

@@ -5,7 +5,7 @@
 namespace etalon::frames {
 namespace {
 
-/// Asks for the answers to all batches, one after another.
+/// Traces all batches, one after another.
 template <class Batches, class Answer, class Ask>
 void ask_again(const Batches& batches, std::vector<Answer>& answers, const Ask& ask) {
     for (const std::vector<Ray>& rays : batches.kept) {
@@ -35,7 +35,7 @@ RayStream RecordedRays::KeptStream::view() const {
     return rays;
 }
 
-/// Counts a batch of so many rays. Returns whether to keep it.
+/// Counts a batch of so many rays. Returns whether to record it.
 bool RecordedRays::Batches::is_kept(std::size_t more, std::size_t every) {
     rays += more;
     if (batches++ % every != 0) return false;

@@ -1,4 +1,4 @@
-// Numbers that are none, in primitives and in rays.
+// NaN and infinity in primitives and in rays.
 #include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/random_scene.h"
@@ -92,7 +92,7 @@ void add_adversarial_faces(Scene& scene) {
     add_face(scene, {{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0}});
 }
 
-/// Random scene whose first and last primitives cannot be hit; ids of valid ones lie between.
+/// Returns a random scene whose first and last primitives cannot be hit; valid ones are in between.
 Scene adversarial_scene() {
     Scene scene;
     const auto add_adversarial = [&scene] {
@@ -122,7 +122,7 @@ CaseSetup among_adversarial() {
     return setup;
 }
 
-/// One number in a good ray replaced by one that is none; a quarter of the rays is left alone.
+/// Replaces one number of a valid ray by NaN or infinity; a quarter of the rays is unchanged.
 void spoil(Ray& ray, Random& random) {
     const double bad = std::array{none, infinity, -infinity}[random.index(3)];
     const int k = random.axis();

@@ -10,7 +10,7 @@ Affine scaling(double x, double y, double z) {
     return {{x, 0, 0}, {0, y, 0}, {0, 0, z}};
 }
 
-/// Every number rounded to float.
+/// Returns a map with every number rounded to float.
 Affine of_floats(const Affine& map) {
     return {rounded(map.x), rounded(map.y), rounded(map.z), rounded(map.origin)};
 }
@@ -20,7 +20,7 @@ Affine at(const Vec3& place, Affine map) {
     return of_floats(map);
 }
 
-/// Turns what follows it askew.
+/// Returns a map that tilts all coordinate axes.
 Affine askew() {
     return {tilted(1, 0, 0), tilted(0, 1, 0), tilted(0, 0, 1), {0, 0, 0}};
 }
@@ -33,13 +33,14 @@ Affine sheared() {
     return {{1, 0, 0}, {0.5, 1, 0}, {-2, 3, 1}, {0, 0, 0}};
 }
 
-/// No axis of the local coordinates and none of the world's is one of the ellipsoid's.
+/// Returns a map of that condition number, under which the ellipsoid's axes are parallel to no axis
+/// of local or world space.
 Affine of_condition(double condition) {
     const double root = std::sqrt(condition);
     return askew() * scaling(1, 1 / root, 1 / condition) * turned() * askew();
 }
 
-/// A map within a map, as nested instances make it, each rounded to float.
+/// Returns a product of maps, as nested instances have, each rounded to float.
 Affine nested(int depth) {
     const Affine step{{0.9, 0.1, 0}, {-0.2, 0.8, 0.3}, {0.1, 0.4, -1.1}, {0.5, -0.25, 0.125}};
     Affine map;
@@ -52,7 +53,7 @@ struct NamedMap {
     Affine map;
 };
 
-/// Maps by which CYL-5 stretches, shears and mirrors its cylinder.
+/// Returns the maps by which CYL-5 stretches, shears and mirrors its cylinder.
 std::vector<NamedMap> odd_maps() {
     const Vec3 here = usual_place();
     return {
@@ -67,7 +68,7 @@ std::vector<NamedMap> odd_maps() {
     };
 }
 
-/// Maps by which an instance may be placed.
+/// Returns maps with which an instance may be placed.
 std::vector<NamedMap> instance_maps() {
     const Vec3 here = usual_place();
     std::vector<NamedMap> maps;
@@ -85,7 +86,7 @@ CaseSetup aimed_at(const Affine& map, const MakeRay& ray) {
     return only(Shape(map), map.x.length() + map.y.length() + map.z.length(), ray);
 }
 
-/// Rays from everywhere at the shape's targets.
+/// Rays from all around at the shape's targets.
 template <class Shape>
 CaseSetup aimed(const Affine& map) {
     CaseSetup setup = aimed_at<Shape>(map, nullptr);
@@ -97,7 +98,7 @@ CaseSetup aimed(const Affine& map) {
     return setup;
 }
 
-/// Rays from inside and outside at all parts of the surface, in the shape's own coordinates.
+/// Rays from inside and outside at all parts of the surface, generated in local coordinates.
 template <class Shape>
 CaseSetup arriving(const Affine& map) {
     CaseSetup setup = aimed_at<Shape>(map, nullptr);

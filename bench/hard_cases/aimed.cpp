@@ -1,4 +1,4 @@
-// Every shape in its variety, aimed at wherever there is something to aim at, from everywhere.
+// Every shape with random parameters, with rays aimed at all its targets from all around.
 #include <memory>
 
 #include "bench/hard_cases/add_face.h"
@@ -44,7 +44,7 @@ Example revolved(const char* name, const Affine& map, const Profile& curve, doub
     return example(name, {map.origin, size}, Revolved(map, curve, Sector(degrees)));
 }
 
-/// A straight curve: one that bends is met again by rays that leave it.
+/// Returns an example of a straight curve: a ray that leaves a bent one may hit it again.
 Example curve(const char* name, CurveType type, const Affine& map) {
     BezierCurve c{
         {Vec3f(-1, 0, 0), Vec3f(-0.5F, 0.25F, 0), Vec3f(0, 0.5F, 0), Vec3f(0.5F, 0.75F, 0)},
@@ -67,7 +67,7 @@ Example ring(const char* name, const Ring& r) {
     return example(name, {r.centre, r.outer}, r);
 }
 
-/// Quadric within 1 of its centre in every axis.
+/// Returns an example of a quadric within a distance of 1 from its centre along every axis.
 Example quadric(const char* name, const Vec3& centre, const std::array<double, 10>& form) {
     const Quadric s{centre, form, {centre - Vec3(1), centre + Vec3(1)}};
     return example(name, {s.centre, 1}, s);
@@ -148,12 +148,12 @@ std::vector<Example> flat_shapes() {
     };
 }
 
-/// A surface has no sides at a tip, so nothing can leave one.
+/// Returns whether the shape has an apex, where a surface has no sides that a ray could leave.
 bool has_tip(const Scene& scene) {
     return !scene.geometry.all<Cone>().empty() && scene.geometry.all<Cone>()[0].top_radius == 0;
 }
 
-/// Returns whether a ray may leave to the outside and come back.
+/// Returns whether a ray that leaves the shape to the outside may hit it again.
 bool is_concave(const Scene& scene) {
     if (scene.geometry.all<Quadric>().empty()) return false;
     const auto& form = scene.geometry.all<Quadric>()[0].coefficients;
@@ -164,7 +164,7 @@ using MakeAimedRay = Ray (*)(const Place&, const Target&, Random&);
 
 CaseSetup shot_at(const Example& e, MakeAimedRay ray) {
     const std::vector<Target> targets = targets_of(e.scene->geometry, 0, to_the_last_bit);
-    // The targets point into the scene, so the rays hold it.
+    // The targets refer to the scene, so the rays keep it alive.
     return {*e.scene, e.place.size, [=, scene = e.scene, place = e.place](Random& random) {
                 const std::size_t chosen = random.index(targets.size());
                 return ray(place, targets[chosen], random);

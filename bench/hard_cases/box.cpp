@@ -17,7 +17,7 @@ double size_of(const Box& b) {
 }
 
 /// Rays along an axis through a point with `fixed` coordinates on faces, half of them moved to the
-/// next double beside it.
+/// adjacent double.
 CaseSetup along_axes(const Box& b, int fixed, double from, bool beside) {
     return only(b, size_of(b), [=](Random& random) {
         Vec3 target = on_faces(b, fixed, random);
@@ -39,8 +39,8 @@ CaseSetup aimed(const Box& b, int fixed, double distance) {
     });
 }
 
-/// Rays through a point of a box without thickness; everything is in small multiples of 1/8, so
-/// that the line meets it exactly.
+/// Rays through a point of a box without thickness; all numbers are small multiples of 1/8, so that
+/// the line hits it exactly.
 CaseSetup without_thickness(int flat_axes) {
     Box b{{-1, -1, -1}, {1, 1, 1}};
     for (int k = 0; k < flat_axes; ++k) b.min[k] = b.max[k] = 0.125 * (k + 1);
@@ -57,7 +57,8 @@ CaseSetup without_thickness(int flat_axes) {
     });
 }
 
-/// Starts inside or on a face, an edge or a corner, and goes anywhere or along an axis.
+/// Rays that start inside or on a face, an edge or a corner, in a random direction or along an
+/// axis.
 CaseSetup from_within(const Box& b, int fixed) {
     return only(b, size_of(b), [=](Random& random) {
         const Vec3 origin = on_faces(b, fixed, random);
@@ -66,7 +67,7 @@ CaseSetup from_within(const Box& b, int fixed) {
     });
 }
 
-/// Rays along an axis but for components so small that their inverse overflows.
+/// Rays along an axis, except for components so small that their inverse overflows.
 CaseSetup denormal(double smallest) {
     return only(cube, 1, [=](Random& random) {
         Vec3 d = axis_direction(random);

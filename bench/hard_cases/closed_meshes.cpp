@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::uint32_t rings = 100, segments = 200;
 
-/// The number of a corner in rows from pole to pole; a pole is one corner all around.
+/// Returns the index of a vertex in rows from pole to pole; a pole is a single vertex.
 std::uint32_t corner_of(std::uint32_t ring, std::uint32_t segment) {
     if (ring == 0) return 0;
     if (ring == rings) return 1 + (rings - 1) * segments;

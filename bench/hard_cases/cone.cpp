@@ -11,7 +11,7 @@ Cone oblique(double length, double base_radius, double top_radius) {
     return {base, rounded(base + tilted(0, 0, length)), base_radius, top_radius};
 }
 
-/// Rays past the apex at a distance of `gap`, on all sides of it.
+/// Rays that pass the apex at a distance of `gap`, on all sides.
 CaseSetup apex(double gap) {
     const Frustum f(oblique(2, 1, 0));
     return only(f.cone(), 1, [=](Random& random) {
@@ -21,7 +21,7 @@ CaseSetup apex(double gap) {
     });
 }
 
-/// Apex and rays in small integers: every line goes exactly through the apex.
+/// Apex and rays with small integer coordinates: every line goes exactly through the apex.
 CaseSetup exact_apex() {
     return only(Cone{{0, 0, -4}, {0, 0, 0}, 3, 0}, 3, [](Random& random) {
         const Vec3 v = 8.0 * random.in_cube();
@@ -30,7 +30,7 @@ CaseSetup exact_apex() {
     });
 }
 
-/// Rays to anywhere on the surface or its silhouette, from up to a hundred radii away.
+/// Rays to random points of the surface or its silhouette, from up to a hundred radii away.
 CaseSetup seen_from_around(const Cone& cone, double size) {
     const Frustum f(cone);
     return only(cone, size, [=](Random& random) {
@@ -42,8 +42,8 @@ CaseSetup seen_from_around(const Cone& cone, double size) {
     });
 }
 
-/// Rays along a generator, the direction off by up to `gap`, from less than a third of that above
-/// the surface or below it.
+/// Rays nearly along a generator: directions deviate by up to `gap`, and origins are less than a
+/// third of that above or below the surface.
 CaseSetup generators(const Cone& cone, double gap) {
     const Frustum f(cone);
     return only(cone, 1, [=](Random& random) {

@@ -6,7 +6,7 @@
 namespace etalon::hard {
 namespace {
 
-/// A curve that bends both ways, of numbers that are floats.
+/// Returns an S-shaped curve whose coordinates are floats.
 Curve bent(CurveType type, const Affine& map) {
     BezierCurve c{{Vec3f(-1, -0.5F, 0), Vec3f(-0.25F, 1, 0.5F), Vec3f(0.25F, -1, -0.25F),
                    Vec3f(1, 0.5F, 0.25F)},
@@ -22,7 +22,7 @@ Affine placed_at(const Vec3& origin) {
     return map;
 }
 
-/// Rays to all over the curve and to the ends of its width, from up to 10^farthest away.
+/// Rays to points all over the curve and to its edges, from up to 10^farthest away.
 CaseSetup seen_from(const Curve& curve, double farthest) {
     Scene scene;
     scene.geometry.add(curve, 0);

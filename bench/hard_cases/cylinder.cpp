@@ -13,7 +13,7 @@ Cone oblique() {
 
 const Cone along_x{{0, 0, 0}, {4, 0, 0}, 1, 1};
 
-/// Rays to a point of the axis, moved across it by up to 1.2 radii.
+/// Rays to points displaced from the axis, perpendicular to it, by up to 1.2 radii.
 CaseSetup far_away(const Frustum& f, double distance) {
     return only(f.cone(), 1, [=](Random& random) {
         const Vec3 d = random.direction();
@@ -23,7 +23,7 @@ CaseSetup far_away(const Frustum& f, double distance) {
     });
 }
 
-/// The line's closest distance to the axis is 1 +- `gap` radii.
+/// Rays whose least distance from the axis is 1 +- `gap` radii.
 CaseSetup tangent(const Frustum& f, double gap) {
     return only(f.cone(), 1, [=](Random& random) {
         const Vec3 d = random.direction();
@@ -34,7 +34,7 @@ CaseSetup tangent(const Frustum& f, double gap) {
     });
 }
 
-/// Rays through a point of the surface, the direction `tilt` away from the axis.
+/// Rays through a point of the surface, with directions tilted from the axis by `tilt`.
 CaseSetup tilted_by(const Frustum& f, double tilt) {
     return only(f.cone(), 1, [=](Random& random) {
         const double s = random.uniform(), angle = random.uniform(0, turn);
@@ -44,7 +44,7 @@ CaseSetup tilted_by(const Frustum& f, double tilt) {
     });
 }
 
-/// Rays exactly along the axis: inside, outside, on the surface itself.
+/// Rays exactly parallel to the axis: inside, outside and on the surface itself.
 CaseSetup parallel() {
     return only(along_x, 1, [](Random& random) {
         const double radii[] = {0, 0.5, 1, 1 - 0x1p-53, 1 + 0x1p-52, 1.5};
@@ -55,7 +55,8 @@ CaseSetup parallel() {
     });
 }
 
-/// Rays at an end of the lateral surface, their targets off along the axis by up to `gap` lengths.
+/// Rays at an end of the lateral surface, with targets displaced along the axis by up to `gap`
+/// lengths.
 CaseSetup rims(const Frustum& f, double gap) {
     return only(f.cone(), 1, [=](Random& random) {
         const double end = random.index(2) == 0 ? 0 : 1, off = random.sign() * gap;

@@ -1,5 +1,5 @@
-// Lattices, for what walks through cells: every number is a small multiple of a power of two, so
-// rays run exactly along cell planes and through cell corners.
+// Lattices, for the traversal of grids: every number is a small multiple of a power of two, so rays
+// run exactly along cell planes and through cell corners.
 #include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/ray_targets.h"
@@ -12,8 +12,8 @@ constexpr int cells = 12;
 
 enum class Knots { spheres, boxes };
 
-/// A small shape at every point of the lattice 0 ... 11, with half an edge of 1/4, or the scene's
-/// outermost faces are at -1/4 and 11 1/4.
+/// Returns a scene of small shapes at all points of the lattice 0 ... 11. Their half-extent is 1/4,
+/// so that the outermost faces of the scene are at -1/4 and 11 1/4.
 Scene lattice(Knots knots) {
     Scene scene;
     for (int i = 0; i < cells * cells * cells; ++i) {
@@ -24,7 +24,7 @@ Scene lattice(Knots knots) {
     return scene;
 }
 
-/// A multiple of 1 / steps between 0 and `end`.
+/// Returns a multiple of 1 / steps between 0 and `end`.
 double fraction(int end, int steps, Random& random) {
     const auto count = static_cast<std::size_t>(end * steps + 1);
     return static_cast<double>(random.index(count)) / steps;
@@ -36,14 +36,15 @@ Vec3 lattice_point(int end, int steps, Random& random) {
     return p;
 }
 
-/// Ray along an axis at quarters and halves of cells: the shapes' own faces, and cell planes.
+/// Returns a ray along an axis at quarters and halves of cells: on faces of shapes and on cell
+/// planes.
 Ray along_axis(Random& random) {
     const Vec3 d = axis_direction(random);
     const Vec3 point = lattice_point(cells - 1, 4, random);
     return {point - 32.0 * d, d};
 }
 
-/// Ray along a diagonal of a face or of the cell.
+/// Returns a ray along a diagonal of a face or of a cell.
 Ray along_diagonal(Random& random) {
     Vec3 d;
     for (int k = 0; k < 3; ++k) d[k] = random.sign();
@@ -51,7 +52,7 @@ Ray along_diagonal(Random& random) {
     return {lattice_point(cells - 1, 2, random) - 16.0 * d, d};
 }
 
-/// Ray from one corner of a cell through another.
+/// Returns a ray from one corner of a cell through another.
 Ray through_corners(Random& random) {
     const Vec3 a = lattice_point(cells - 1, 2, random), b = lattice_point(cells - 1, 2, random);
     const Vec3 d = a == b ? Vec3(1, 0, 0) : b - a;
@@ -64,7 +65,8 @@ CaseSetup walked(Knots knots, MakeLatticeRay ray) {
     return {lattice(knots), 1, ray};
 }
 
-/// Squares and boxes without thickness in the planes between cells, the outermost included.
+/// Returns squares and boxes without thickness in the planes between cells, including the outermost
+/// ones.
 CaseSetup on_planes() {
     CaseSetup setup{{}, 1, through_corners};
     Random random(1, 0);
@@ -84,7 +86,8 @@ CaseSetup on_planes() {
     return setup;
 }
 
-/// Ray from up to about 1e8 extents away through a corner, an edge or a face of the scene's box.
+/// Returns a ray from up to about 1e8 extents away through a corner, an edge or a face of the
+/// scene's bounds.
 Ray from_outside(Random& random) {
     const double low = -0.25, high = cells - 0.75;
     const std::size_t fixed = 1 + random.index(3), first = random.index(3);

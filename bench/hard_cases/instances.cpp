@@ -1,4 +1,4 @@
-// Objects seen under maps that ask much of the way into the object's space.
+// Instances with maps for which the transformation of a ray to object space is ill conditioned.
 #include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/closed_meshes.h"
 #include "bench/hard_cases/random_scene.h"
@@ -11,25 +11,26 @@ namespace {
 
 using Kinds = std::vector<ShapeKind>;
 
-/// Kinds whose surfaces a ray that leaves one to its outside never meets again, and a ray that goes
-/// inside from the outside.
+/// Convex shapes: a ray that leaves one to the outside never hits it again, and a ray that goes
+/// inside never hits it from the outside.
 const Kinds convex = {kind_of<Sphere>(),        kind_of<Triangle>(), kind_of<Polygon>(),
                       kind_of<Box>(),           kind_of<Ring>(),     kind_of<Ellipsoid>(),
                       kind_of<ClosedCylinder>()};
 
-/// All kinds that are bounded.
+/// All bounded shapes.
 const Kinds bounded = [] {
     Kinds kinds = convex;
     kinds.insert(kinds.end(), {kind_of<Cone>(), kind_of<Quadric>(), kind_of<Revolved>()});
     return kinds;
 }();
 
-/// Shapes in the cube [-1, 1]^3.
+/// Returns an object of shapes in the cube [-1, 1]^3.
 Geometry shapes(std::uint64_t seed, const Kinds& kinds = bounded) {
     return random_scene({.count = 24, .seed = seed, .kinds = kinds, .one_sided = true}).geometry;
 }
 
-/// A map that stretches by 1, by the root of `condition` and by `condition`, at random angles.
+/// Returns a map that stretches by 1, by the root of `condition` and by `condition`, along random
+/// axes.
 Affine stretch(double condition, Random& random) {
     const Affine first = rotation(random.uniform(0, 360), random.direction());
     const Affine second = rotation(random.uniform(0, 360), random.direction());
@@ -37,7 +38,7 @@ Affine stretch(double condition, Random& random) {
     return second * scaling({1 / root, 1, root}) * first;
 }
 
-/// Twenty instances of two objects, and a few primitives of the scene itself among them.
+/// Returns a scene of twenty instances of two objects, and a few primitives between them.
 template <class Map>
 Scene instances_of_shapes(const Map& map, const Kinds& kinds = bounded) {
     Scene scene = random_scene({.count = 12, .seed = 5, .kinds = kinds});
@@ -67,7 +68,8 @@ CaseSetup mirrored() {
     }));
 }
 
-/// Objects whose shapes are far from the object's origin, in a scene far from the world's.
+/// Returns objects whose shapes are far from the origin of object space, in a scene far from the
+/// origin of world space.
 CaseSetup far_away(double distance) {
     const Vec3 far = distance * tilted(0.3, -0.5, 0.8);
     Scene scene;
@@ -82,8 +84,9 @@ CaseSetup far_away(double distance) {
     return aimed_at_scene(std::move(scene));
 }
 
-/// Objects that turn by up to half a turn and change their form and place, about a third of which
-/// do the latter only; every fourth mirrors.
+/// Returns instances that rotate by up to half a turn, are stretched and translated while the
+/// shutter is open; about a third of them are only stretched and translated, and every fourth is
+/// mirrored.
 CaseSetup moving(const Kinds& kinds = bounded) {
     Scene scene = random_scene({.count = 12, .seed = 5, .kinds = kinds});
     scene.geometry.objects = {shapes(3, kinds), shapes(4, kinds)};
@@ -100,7 +103,7 @@ CaseSetup moving(const Kinds& kinds = bounded) {
     return aimed_at_scene(std::move(scene));
 }
 
-/// Maps that leave no volume, or hardly any, among others.
+/// Returns instances with singular and nearly singular maps among others.
 CaseSetup singular() {
     int number = 0;
     return aimed_at_scene(instances_of_shapes([&](Random& random) {
@@ -110,7 +113,7 @@ CaseSetup singular() {
     }));
 }
 
-/// The same object again and again, moved by 1e-17 to 1e-6 of its size.
+/// Returns many instances of one object, displaced by 1e-17 to 1e-6 of its size.
 CaseSetup nearly_the_same() {
     Scene scene;
     scene.geometry.objects = {shapes(3)};
@@ -123,7 +126,7 @@ CaseSetup nearly_the_same() {
     return aimed_at_scene(std::move(scene));
 }
 
-/// The same instance many times over: the first one is hit.
+/// Returns many equal instances: the first one is hit.
 CaseSetup copies() {
     Scene scene;
     scene.geometry.objects = {shapes(3)};
@@ -133,7 +136,7 @@ CaseSetup copies() {
     return aimed_at_scene(std::move(scene));
 }
 
-/// Objects with planes, which no box holds.
+/// Returns instances of objects with planes, which are unbounded.
 CaseSetup unbounded() {
     Scene scene;
     scene.geometry.objects = {
@@ -147,7 +150,7 @@ CaseSetup unbounded() {
     return aimed_at_scene(std::move(scene));
 }
 
-/// Sizes from 1e-4 to 1e4 in one scene.
+/// Returns instances of sizes from 1e-4 to 1e4.
 CaseSetup nested_sizes() {
     return aimed_at_scene(instances_of_shapes([](Random& random) {
         const double size = random.magnitude(-4, 4);
@@ -156,7 +159,8 @@ CaseSetup nested_sizes() {
     }));
 }
 
-/// A closed mesh under a map of some condition, from inside, with all rays at its corners.
+/// A closed mesh seen from inside, under a map with that condition number; all rays are aimed at
+/// vertices.
 CaseSetup inside_mesh(double condition) {
     CaseSetup setup;
     setup.scene.geometry.objects = {uv_sphere(Vec3(0), Vec3(1), Faces::triangles).geometry};

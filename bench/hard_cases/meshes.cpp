@@ -1,4 +1,4 @@
-// Closed surfaces seen from inside, and a terrain from above: whatever misses has leaked through.
+// Closed surfaces seen from inside, and a terrain from above: a ray that misses has leaked.
 #include <memory>
 
 #include "bench/hard_cases/case_families.h"
@@ -15,7 +15,7 @@ struct Ellipsoid {
     Faces faces = Faces::triangles;
 };
 
-/// Rays from within half of the radii to a point of any face.
+/// Rays from within half of the radius to a point of any face.
 CaseSetup seen_from_inside(const Ellipsoid& e, Feature feature) {
     const auto mesh = std::make_shared<const Scene>(uv_sphere(e.centre, e.radius, e.faces));
     return {*mesh, max_abs(e.radius), [=](Random& random) {
@@ -26,8 +26,9 @@ CaseSetup seen_from_inside(const Ellipsoid& e, Feature feature) {
             }};
 }
 
-/// Rays from 2 to 20 above the target and at most half of that beside it, twice as steep as 1:1;
-/// the steepest facet has sqrt(2):1. Targets are so far within the outline that origins are too.
+/// Rays from 2 to 20 above the target, displaced sideways by at most half of that, so that their
+/// slope is at least 2; the steepest facet has a slope of sqrt(2). Targets are so far inside the
+/// outline that origins are inside too.
 CaseSetup seen_from_above(const Vec3& corner, Feature feature) {
     const auto ground = std::make_shared<const Scene>(terrain(corner));
     return {*ground, terrain_cells, [=](Random& random) {

@@ -11,7 +11,7 @@ Plane oblique() {
     return {usual_place(), rounded({1.7, 1.1, 0.7})};
 }
 
-/// Rays from a million away, towards the plane or away from it at exactly the cosine.
+/// Rays from a distance of 1e6, towards the plane or away from it, at exactly this cosine.
 CaseSetup nearly_along(double cosine) {
     return only(level, 1, [=](Random& random) {
         const Vec3 place = 1e6 * random.direction();
@@ -20,7 +20,7 @@ CaseSetup nearly_along(double cosine) {
     });
 }
 
-/// The same at a plane whose normal is any: the cosine is true to a rounding.
+/// The same for a plane with a random normal: the cosine is exact up to rounding.
 CaseSetup nearly_along_oblique(double cosine) {
     const Plane plane = oblique();
     const Vec3 n = plane.normal.normalized();
@@ -40,15 +40,15 @@ CaseSetup within() {
     });
 }
 
-/// Ray to a point of the plane from any distance between 1e-3 and 1e6.
+/// Returns a ray to a point of the plane from a distance between 1e-3 and 1e6.
 Ray at_plane(const Plane& plane, Random& random) {
     const Vec3 d = random.direction(), along = plane.normal.normalized().cross(random.in_cube());
     const double distance = random.magnitude(-3, 6);
     return {plane.point + along - distance * d, d};
 }
 
-/// Two planes, met from both sides; `second` may be the first one's double. Distances to planes are
-/// better than kernels must be, so that planes next to each other keep their order.
+/// Two planes, hit from both sides; `second` may equal the first. Distances to planes are more
+/// accurate than kernels must be, so that nearly coincident planes keep their order.
 CaseSetup pair(const Plane& first, const Plane& second) {
     constexpr double tie = 0x1p-48;
     CaseSetup setup{{}, 1, [=](Random& random) { return at_plane(first, random); }, tie};

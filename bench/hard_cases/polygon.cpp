@@ -8,18 +8,18 @@ namespace {
 
 const Corners notched{{0, 0, 3}, {4, 0, 3}, {4, 4, 3}, {2, 2, 3}, {0, 4, 3}};
 
-/// A level square with two more corners on each side.
+/// A horizontal square with two more corners on each side.
 const Corners collinear{{0, 0, 3}, {1, 0, 3}, {3, 0, 3}, {4, 0, 3}, {4, 1, 3}, {4, 3, 3},
                         {4, 4, 3}, {3, 4, 3}, {1, 4, 3}, {0, 4, 3}, {0, 3, 3}, {0, 1, 3}};
 
-/// A square of 1 with its corners off its plane by `gap`, up and down by turns.
+/// A unit square with its corners displaced from its plane by `gap`, alternately up and down.
 Corners bent(double gap) {
     return {tilted(0, 0, gap), tilted(2, 0, -gap), tilted(2, 1, gap), tilted(0.5, 1.5, 0),
             tilted(0, 1, -gap)};
 }
 
-/// Rays through points of a lattice to which the corners belong: corners, edges, and lines from the
-/// inside along which an edge starts or ends.
+/// Rays through points of a lattice that contains the corners: through corners and edges, and along
+/// lines on which an edge starts or ends.
 CaseSetup at_lattice(const Corners& corners) {
     return only_face(corners, 4, [](Random& random) {
         const double x = static_cast<double>(random.index(13)) / 2 - 1;
@@ -30,8 +30,8 @@ CaseSetup at_lattice(const Corners& corners) {
     });
 }
 
-/// A quad and a polygon of five corners on the two sides of a slanted edge, bent along it; rays
-/// meet the edge, but for its ends, from within the angle between the two.
+/// A quad and a pentagon that share a slanted edge, folded along it; rays hit the edge, except for
+/// its ends, from within the angle between the two.
 CaseSetup shared_edge(const Vec3& place) {
     const Vec3 a = rounded(tilted(0.1, -1, 0) + place), b = rounded(tilted(-0.2, 1, 0.1) + place);
     const Vec3 left = tilted(-1, 0, 0.3), right = tilted(1, 0, 0.5), ahead = tilted(0, 0, 1);
@@ -47,7 +47,7 @@ CaseSetup shared_edge(const Vec3& place) {
     return setup;
 }
 
-/// Outlines without an area, and good ones, in a row.
+/// Degenerate outlines without area, and valid ones, in a row.
 CaseSetup degenerate_neighbours() {
     CaseSetup setup{{}, 1, [](Random& random) {
                         const double x = random.uniform(0, 24);

@@ -13,7 +13,8 @@ Box3 around(const Vec3& centre, double reach) {
     return {centre - Vec3(reach), centre + Vec3(reach)};
 }
 
-/// Quadric about the usual place, in a box of floats that reaches as far as 1.
+/// Returns a quadric about the default centre, clipped by a box with float coordinates and
+/// half-extent 1.
 Quadric usual(const Coefficients& c) {
     const Box3f box = round_outward(around(usual_place(), 1));
     return {usual_place(), c, {Vec3(box.min), Vec3(box.max)}};
@@ -22,8 +23,8 @@ Quadric usual(const Coefficients& c) {
 constexpr Coefficients sphere = {1, 0, 0, 0, 1, 0, 0, 1, 0, -1};
 constexpr Coefficients cone = {1, 0, 0, 0, 1, 0, 0, -1, 0, 0};
 
-/// A quarter of the rays each to points of the box, of the surface, of the faces' edges on it and
-/// to its silhouette, from 10^low to 10^high away.
+/// Rays from 10^low to 10^high away: a quarter each to points of the box, of the surface, of the
+/// curves where the surface meets the box's faces, and to the silhouette.
 CaseSetup aimed(const Quadric& s, double low, double high) {
     const QuadricPoints points(s);
     return only(s, 1, [=](Random& random) {
@@ -43,7 +44,7 @@ CaseSetup aimed(const Quadric& s, double low, double high) {
     });
 }
 
-/// Rays past `centre` at a distance of up to `gap`.
+/// Rays that pass `centre` at a distance of up to `gap`.
 CaseSetup close_to_centre(const Quadric& s, double gap) {
     return only(s, 1, [=](Random& random) {
         const Vec3 target = s.centre + gap * in_ball(random);
@@ -51,7 +52,8 @@ CaseSetup close_to_centre(const Quadric& s, double gap) {
     });
 }
 
-/// Ray through a point in whole numbers, or half of the time one rounding beside it.
+/// Returns a ray through a point with integer coordinates, or half of the time one rounding error
+/// away from it.
 Ray through(const Vec3& point, Random& random) {
     const Vec3 v = 8.0 * random.in_cube();
     Vec3 d(1 + std::round(std::abs(v.x)), std::round(v.y), std::round(v.z));
@@ -65,7 +67,7 @@ CaseSetup exactly_through_centre(const Coefficients& c) {
                 [](Random& random) { return through(Vec3(0), random); });
 }
 
-/// A sphere in the least box there is, from inside along the axes or next to them.
+/// A sphere in its tight bounding box, from inside along the axes or nearly along them.
 CaseSetup touching(const Vec3& centre) {
     return only(Quadric{centre, sphere, around(centre, 1)}, 1, [=](Random& random) {
         Vec3 d = axis_direction(random);
@@ -74,7 +76,7 @@ CaseSetup touching(const Vec3& centre) {
     });
 }
 
-/// A sphere in eight pieces whose boxes meet at `at`: nothing gets out where they do.
+/// A sphere of eight pieces whose boxes share the corner `at`: no ray escapes between them.
 CaseSetup pieces(const Vec3& centre, const Vec3& at) {
     CaseSetup setup{{}, 1, {}};
     for (int piece = 0; piece < 8; ++piece) {
@@ -89,8 +91,8 @@ CaseSetup pieces(const Vec3& centre, const Vec3& at) {
     return setup;
 }
 
-/// A sphere of radius 5 as far as x = 3, and beyond in a box of its own if there are `boxes` two:
-/// through points at x = 3 in whole numbers, or one rounding beside them.
+/// A sphere of radius 5 clipped at x = 3; with two `boxes` the other part is a second quadric. Rays
+/// go through points with integer coordinates at x = 3, or one rounding error away from them.
 CaseSetup cut_exactly(int boxes) {
     static constexpr std::array points = {Vec3(3, 4, 0), Vec3(3, 0, -4), Vec3(3, -4, 0)};
     constexpr Coefficients form = {1, 0, 0, 0, 1, 0, 0, 1, 0, -25};
@@ -101,7 +103,7 @@ CaseSetup cut_exactly(int boxes) {
     return setup;
 }
 
-/// Two planes that are faces of their box, from in between.
+/// A quadric of two planes that are faces of its box, seen from between them.
 CaseSetup coincident() {
     const Quadric s{{0, 0, 0}, {1, 0, 0, 0, 0, 0, 0, 0, 0, -1}, around(Vec3(0), 1)};
     return only(s, 1, [](Random& random) {
@@ -112,8 +114,8 @@ CaseSetup coincident() {
     });
 }
 
-/// A sphere of radius 1 with its middle at (1, -2, 0.5) times `distance`, seen from the origin of
-/// the form.
+/// A sphere of radius 1 with its centre at (1, -2, 0.5) times `distance` from the form's origin,
+/// from which it is seen.
 Quadric off_centre(double distance) {
     const Vec3 m = distance * Vec3(1, -2, 0.5);
     return {{0, 0, 0}, {1, 0, 0, -m.x, 1, 0, -m.y, 1, -m.z, m.dot(m) - 1}, around(m, 1.5)};

@@ -8,7 +8,7 @@
 namespace etalon::hard {
 namespace {
 
-/// A concave or convex outline of 4 to 7 corners around `place`.
+/// Adds a concave or convex polygon of 4 to 7 corners around `place`.
 void add_polygon(Scene& scene, const Vec3& place, double size, Sides sides, Random& random) {
     Vec3 u, v;
     orthonormal_basis(random.direction(), u, v);
@@ -39,7 +39,7 @@ void add_ring(Scene& scene, const Vec3& place, double size, Sides sides, Random&
     scene.geometry.add(Ring{place, random.direction(), inner, outer}, 0, sides);
 }
 
-/// Adds a quadric of any kind, through its box's middle or near it.
+/// Adds a random quadric through the centre of its box or near it.
 void add_quadric(Scene& scene, const Vec3& place, double size, Sides sides, Random& random) {
     const Vec3 half = abs(size * random.in_cube());
     Quadric s{place, {}, {place - half, place + half}};
@@ -49,13 +49,13 @@ void add_quadric(Scene& scene, const Vec3& place, double size, Sides sides, Rand
     scene.geometry.add(s, 0, sides);
 }
 
-/// Sheared, and in half of all cases mirrored.
+/// Returns a map that shears, and in half of all cases mirrors.
 Affine any_map(const Vec3& place, double size, Random& random) {
     const Vec3 x = size * random.in_cube(), y = size * random.in_cube();
     return {x, y, size * random.in_cube(), place};
 }
 
-/// A part of a surface of revolution, of any kind.
+/// Returns a random partial surface of revolution.
 Revolved any_revolved(const Affine& map, Random& random) {
     const std::array profiles = {profiles::sphere(random.uniform(-1, 0), random.uniform(0.25, 1)),
                                  profiles::cylinder(),
@@ -67,7 +67,7 @@ Revolved any_revolved(const Affine& map, Random& random) {
     return {map, profiles[random.index(profiles.size())], Sector(degrees)};
 }
 
-/// Adds a part of a curve of any type.
+/// Adds a segment of a curve of a random type.
 void add_curve(Scene& scene, const Affine& map, Sides sides, Random& random) {
     BezierCurve c{};
     for (Vec3f& p : c.points) p = Vec3f(random.in_cube());
@@ -78,7 +78,7 @@ void add_curve(Scene& scene, const Affine& map, Sides sides, Random& random) {
     scene.geometry.add(Curve(c, map, {number, 4}), 0, sides);
 }
 
-/// Adds a shape of a kind: a new one has to be named here.
+/// Adds a shape of a kind: a new shape needs a line here.
 template <class Shape>
 void add_shape(Scene& scene, double size, Sides sides, Random& random) {
     const Vec3 place = random.in_cube();
@@ -112,7 +112,7 @@ void add_shape(Scene& scene, double size, Sides sides, Random& random) {
 ShapeKind any_kind(const RandomSceneConfig& plan, Random& random) {
     if (!plan.kinds.empty()) return plan.kinds[random.index(plan.kinds.size())];
     const auto kind = static_cast<ShapeKind>(random.index(shape_kinds));
-    // One in fifty is a plane, or they would hide the rest.
+    // Only one in fifty is a plane, since planes hide the rest.
     return kind == kind_of<Plane>() && random.index(8) != 0 ? kind_of<Sphere>() : kind;
 }
 

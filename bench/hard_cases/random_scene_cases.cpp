@@ -1,4 +1,4 @@
-// Whole scenes against brute force: what a backend gets wrong that a kernel gets right.
+// Whole scenes compared with brute force: errors of backends rather than of kernels.
 #include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/random_scene.h"
 #include "bench/hard_cases/ray_targets.h"
@@ -7,7 +7,7 @@
 namespace etalon::hard {
 namespace {
 
-/// Spheres in a cube of 2 around a place, all of floats.
+/// Returns spheres in a cube of edge 2 around a point, with float coordinates.
 Scene cloud(const Vec3& place) {
     Scene scene;
     Random random(1, 0);
@@ -18,7 +18,7 @@ Scene cloud(const Vec3& place) {
     return scene;
 }
 
-/// Rays from all around, half of them at silhouettes to within 1e-3 radii, the others anywhere.
+/// Rays from all around, half of them within 1e-3 radii of silhouettes, the others anywhere.
 CaseSetup cloud_from(double offset, double distance) {
     const Vec3 place = offset * Vec3(0.6, -0.48, 0.64);
     CaseSetup setup{cloud(place), 1, {}};
@@ -47,7 +47,7 @@ void add_clouds(Rows& rows) {
     }
 }
 
-/// Thin triangles of all directions.
+/// Returns thin triangles of random orientations.
 Scene slivers() {
     Scene scene;
     Random random(16, 0);

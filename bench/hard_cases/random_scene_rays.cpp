@@ -13,7 +13,7 @@ Place middle_of(const Box3& box) {
 }
 
 constexpr std::uint64_t moving_seed = 43;
-constexpr int moments = 50;  ///< at which what moves is aimed at
+constexpr int moments = 50;  ///< times at which moving items are aimed at
 
 /// Targets and extents of a scene, from which rays are generated.
 class Surroundings {
@@ -40,7 +40,7 @@ class Surroundings {
     const Scene& scene() const { return *scene_; }
     const Place& whole() const { return whole_; }
 
-    /// One primitive or instance at one time: where it is and what to aim at.
+    /// Position and targets of one primitive or instance at one time.
     struct Thing {
         Place place;
         ShutterTime time;
@@ -49,7 +49,7 @@ class Surroundings {
     const Thing& any(Random& random) const { return things_[random.index(things_.size())]; }
 
   private:
-    /// Adds an item; one that moves at several times.
+    /// Adds an item; a moving one is added at several times.
     void add_thing(std::uint32_t item, const Place& place, double finest) {
         const Geometry& g = scene_->geometry;
         const bool moves = g.is_instance(item) && g.instances[g.instance_number(item)].moves();
@@ -61,7 +61,7 @@ class Surroundings {
     }
 
     std::shared_ptr<const Scene> scene_;
-    Place whole_{Vec3(0), 1};  ///< of all that is bounded
+    Place whole_{Vec3(0), 1};  ///< bounds of the bounded items
     std::vector<Thing> things_;
 };
 
@@ -69,7 +69,7 @@ const Target& any_target(const Surroundings::Thing& thing, Random& random) {
     return thing.targets[random.index(thing.targets.size())];
 }
 
-/// The range ends or begins near where the ray comes closest to the point.
+/// Sets tmin or tmax near the point of the ray that is closest to the target.
 void limit(Ray& ray, const Vec3& point, Random& random) {
     const double length2 = ray.direction.dot(ray.direction);
     const double t = std::abs((point - ray.origin).dot(ray.direction)) / length2;
@@ -78,7 +78,7 @@ void limit(Ray& ray, const Vec3& point, Random& random) {
     if (random.index(2) == 0) ray.tmax = ray.tmin + t * random.uniform(0, 2);
 }
 
-/// A setting whose rays know its scene.
+/// Returns a case setup whose ray generator uses the scene.
 CaseSetup setting_of(Scene scene, double finest, Ray (*make)(const Surroundings&, Random&)) {
     const auto around = std::make_shared<const Surroundings>(std::move(scene), finest);
     return {around->scene(), around->whole().size,

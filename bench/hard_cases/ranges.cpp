@@ -1,4 +1,4 @@
-// Ranges that begin or end exactly at a hit, or at the number beside it.
+// Rays whose tmin or tmax is exactly at a hit, or at the next number.
 #include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/ray_targets.h"
 #include "bench/hard_cases/rows.h"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr int count = 6;
 
-/// Boxes of 1 on a lattice of 2: faces are at integers.
+/// Returns unit boxes on a lattice of spacing 2: faces are at integers.
 Scene boxes() {
     Scene scene;
     for (int i = 0; i < count * count * count; ++i) {
@@ -18,7 +18,7 @@ Scene boxes() {
     return scene;
 }
 
-/// A number, or the one before it or after it among the floats or the doubles.
+/// Returns a number, or the float or double before or after it.
 template <class Number>
 double beside(double t, std::size_t step) {
     const auto limit = static_cast<Number>(infinity);
@@ -27,8 +27,8 @@ double beside(double t, std::size_t step) {
     return std::nextafter(number, step == 1 ? -limit : limit);
 }
 
-/// Line along an axis from an integer distance, through the middle of a box: it meets faces at
-/// whole numbers, times a power of two, of t.
+/// A line along an axis from an integer distance, through the centre of a box: it hits faces at an
+/// integer t, times a power of two.
 struct Passage {
     explicit Passage(Random& random) {
         Vec3 d = axis_direction(random);
@@ -46,7 +46,7 @@ struct Passage {
     }
 
     Ray ray;
-    double entry, exit;  ///< of one of the boxes on its way
+    double entry, exit;  ///< t at which it enters and leaves one of the boxes
 };
 
 template <class Number>
@@ -65,7 +65,7 @@ Ray starting_at_hit(Random& random) {
     return p.ray;
 }
 
-/// Both at once: what is between two neighbours at most.
+/// Returns a ray with both tmin and tmax, between which there is at most one face.
 template <class Number>
 Ray between_neighbours(Random& random) {
     Passage p(random);
@@ -75,7 +75,7 @@ Ray between_neighbours(Random& random) {
     return p.ray;
 }
 
-/// The range begins behind the origin, and a box is there: what is behind is never met.
+/// Returns a ray with a negative tmin and a box behind its origin, which must not be hit.
 Ray starting_behind(Random& random) {
     Passage p(random);
     p.ray.tmin = -4 * p.exit;

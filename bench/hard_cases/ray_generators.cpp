@@ -5,13 +5,14 @@
 namespace etalon::hard {
 namespace {
 
-/// The target as seen from anywhere at ten sizes' distance.
+/// Returns a point of the target, as chosen for a ray from a random point at a distance of ten
+/// sizes.
 Vec3 seen_from_around(const Place& place, const Target& target, Random& random) {
     const Vec3 from = place.centre + 10 * place.size * random.direction();
     return target(from, random);
 }
 
-/// Ray from 1 to 1e7 sizes away, with a direction of unit length half of the time.
+/// Returns a ray from 1 to 1e7 sizes away, half of the time with a normalised direction.
 Ray from_afar(const Place& place, const Target& target, Random& random) {
     const double distance = place.size * random.magnitude(0, 7);
     const Vec3 origin = place.centre + distance * random.direction();
@@ -20,7 +21,7 @@ Ray from_afar(const Place& place, const Target& target, Random& random) {
     return ray;
 }
 
-/// Ray from 1e-7 to 1 sizes away.
+/// Returns a ray from 1e-7 to 1 sizes away.
 Ray from_close_by(const Place& place, const Target& target, Random& random) {
     const Vec3 point = seen_from_around(place, target, random);
     const double distance = place.size * random.magnitude(-7, 0);
@@ -40,7 +41,7 @@ Ray along_an_axis(const Place& place, const Target& target, Random& random) {
     return {origin, direction};
 }
 
-/// Across an axis, with a zero of either sign.
+/// Returns a direction perpendicular to an axis, with a zero of either sign.
 Ray across_an_axis(const Place& place, const Target& target, Random& random) {
     const Vec3 point = seen_from_around(place, target, random);
     Vec3 direction = random.direction();
@@ -66,7 +67,7 @@ constexpr RayGenerator ray_generators[] = {from_afar,     from_close_by,  from_w
 Ray ray_generator(const Place& place, const Target& target, Random& random) {
     const RayGenerator chosen = ray_generators[random.index(std::size(ray_generators))];
     Ray ray = chosen(place, target, random);
-    // A target may be at the very origin.
+    // A target may be at the origin of the ray.
     if (max_abs(ray.direction) == 0) ray.direction = random.direction();
     return ray;
 }

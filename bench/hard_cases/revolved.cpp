@@ -1,4 +1,4 @@
-// Parts of surfaces of revolution: their edges, silhouettes and tips, from close by and from afar.
+// Partial surfaces of revolution: edges, silhouettes and apexes, from close by and from far away.
 #include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/ray_generators.h"
 #include "bench/hard_cases/ray_targets.h"
@@ -9,7 +9,7 @@
 namespace etalon::hard {
 namespace {
 
-/// Every number of the map a float.
+/// Returns a map with every number rounded to float.
 Affine of_floats(const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& origin) {
     return {rounded(x), rounded(y), rounded(z), rounded(origin)};
 }
@@ -32,7 +32,7 @@ Affine of_condition(double condition) {
 struct NamedProfile {
     std::string name;
     Profile profile;
-    bool is_concave = false;  ///< a ray may leave it to the outside and come back
+    bool is_concave = false;  ///< a ray that leaves it to the outside may hit it again
 };
 
 std::vector<NamedProfile> curves() {
@@ -48,7 +48,7 @@ std::vector<NamedProfile> curves() {
     };
 }
 
-/// A hyperboloid swept from a line that is cut along the line.
+/// A hyperboloid swept by a line segment.
 Revolved twisted(const Affine& map) {
     Profile line = profiles::hyperboloid(1, 0.25, -1, 1);
     line.along = Profile::Along::line;
@@ -69,7 +69,7 @@ CaseSetup aimed(const Revolved& s) {
     return setup;
 }
 
-/// Rays from so many sizes away.
+/// Rays from a distance of so many sizes.
 CaseSetup from_afar(const Revolved& s, double distance) {
     CaseSetup setup = only(s, size_of(s), nullptr);
     const std::vector<Target> targets = targets_of(setup.scene.geometry, 0, to_the_last_bit);
@@ -80,7 +80,7 @@ CaseSetup from_afar(const Revolved& s, double distance) {
     return setup;
 }
 
-/// Rays at the very edges: the point of the edge as rounded, from where the edge is crossed.
+/// Rays at points exactly on an edge, up to rounding, in directions that cross the edge.
 CaseSetup at_edges(const Revolved& s) {
     CaseSetup setup = only(s, size_of(s), nullptr);
     const RevolvedPoints points(s);

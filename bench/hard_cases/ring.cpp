@@ -9,7 +9,8 @@ Ring oblique(double inner, double outer) {
     return {usual_place(), rounded({1.7, 1.1, 0.7}), inner, outer};
 }
 
-/// Ray to a point at `radius` from the centre, from up to 10^farthest times the ring's size away.
+/// Returns a ray to a point at `radius` from the centre, from up to 10^farthest times the ring's
+/// size away.
 Ray at_circle(const Ring& ring, double radius, double farthest, Random& random) {
     const Vec3 side = across(ring.normal.normalized(), random.uniform(0, turn));
     const Vec3 target = ring.centre + radius * side;
@@ -17,7 +18,8 @@ Ray at_circle(const Ring& ring, double radius, double farthest, Random& random) 
     return towards(target + distance * random.direction(), target);
 }
 
-/// Rays beside either circle, by far less than a rounding up to a tenth of its radius.
+/// Rays that pass either circle at distances from far below a rounding error to a tenth of its
+/// radius.
 CaseSetup rims(const Ring& ring, double farthest) {
     return only(ring, ring.outer, [=](Random& random) {
         const double rim = random.index(2) == 0 ? ring.inner : ring.outer;
@@ -25,7 +27,7 @@ CaseSetup rims(const Ring& ring, double farthest) {
     });
 }
 
-/// Rays between the circles, and on either side of them.
+/// Rays between the circles, inside the inner and outside the outer one.
 CaseSetup seen_from(const Ring& ring, double distance) {
     return only(ring, ring.outer, [=](Random& random) {
         const Vec3 n = ring.normal.normalized();
@@ -36,7 +38,7 @@ CaseSetup seen_from(const Ring& ring, double distance) {
     });
 }
 
-/// Rays along small whole numbers to points exactly on a circle, or one rounding beside it.
+/// Rays with small integer coordinates to points exactly on a circle, or one rounding error away.
 CaseSetup exact_points(const Ring& ring) {
     static constexpr std::array corners = {Vec3(3, 4, 0), Vec3(-4, 3, 0), Vec3(5, 0, 0),
                                            Vec3(0, -5, 0)};
@@ -50,7 +52,7 @@ CaseSetup exact_points(const Ring& ring) {
     });
 }
 
-/// One ring in the hole of another, every ray through the circle that they share.
+/// One ring in the hole of another; all rays go through the circle that they share.
 CaseSetup abutting() {
     const Ring inner = oblique(0, 1), outer = oblique(1, 2);
     CaseSetup setup{{}, 2, [=](Random& random) {

@@ -7,7 +7,8 @@ namespace {
 
 const Sphere unit_sphere{usual_place(), 1};
 
-/// The line's closest point to the centre is uniform in a disc of 1.2 radii: 69 of 100 rays hit.
+/// Rays whose closest point to the centre is uniformly distributed in a disc of 1.2 radii: 69 of
+/// 100 hit.
 Ray from_afar(const Sphere& s, double distance, Random& random) {
     const Vec3 d = random.direction();
     const Vec3 closest = s.centre + 1.2 * s.radius * in_disc(d, random);
@@ -18,7 +19,7 @@ CaseSetup far_away(const Sphere& s, double distance) {
     return only(s, s.radius, [=](Random& random) { return from_afar(s, distance, random); });
 }
 
-/// Rays from `height` radii above the surface to somewhere inside.
+/// Rays from `height` radii above the surface to random points inside.
 CaseSetup close_to(const Sphere& s, double height) {
     return only(s, s.radius, [=](Random& random) {
         const Vec3 up = random.direction();
@@ -40,8 +41,7 @@ CaseSetup planet(double radius, double height) {
     });
 }
 
-/// The line's closest point to the centre is 1 +- `gap` radii from it; the ray starts a few radii
-/// away.
+/// Rays whose closest point to the centre is 1 +- `gap` radii from it; they start a few radii away.
 CaseSetup grazing(const Sphere& s, double gap) {
     return only(s, s.radius, [=](Random& random) {
         const Vec3 d = random.direction();
@@ -52,8 +52,8 @@ CaseSetup grazing(const Sphere& s, double gap) {
     });
 }
 
-/// Rays along an axis, 1 + k 2^-52 radii from the centre, -4 <= k <= 4: every number is exact, some
-/// of the lines are tangents.
+/// Rays along an axis, 1 + k 2^-52 radii from the centre, -4 <= k <= 4: every number is exact, and
+/// some of the lines are tangents.
 CaseSetup tangent() {
     return only(Sphere{{0, 0, 0}, 1}, 1, [](Random& random) {
         const int along = random.axis();
@@ -78,7 +78,7 @@ CaseSetup arriving(double radius, double offset) {
     });
 }
 
-/// A shell around a sphere, hardly larger, met from all sides.
+/// A slightly larger shell around a sphere, hit from all sides.
 CaseSetup shells(Sides inner_sides) {
     const Sphere outer{unit_sphere.centre, 1 + 0x1p-20};
     CaseSetup setup{{}, 1, [=](Random& random) {
@@ -95,7 +95,7 @@ CaseSetup shells(Sides inner_sides) {
     return setup;
 }
 
-/// The usual sphere, its rays and half of their directions times `scale`.
+/// The default sphere and its rays scaled by `scale`; half of the directions are scaled, too.
 CaseSetup scaled(double scale) {
     const auto size = static_cast<double>(static_cast<float>(scale));
     const Sphere s{rounded(size * unit_sphere.centre), size};

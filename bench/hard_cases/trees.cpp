@@ -1,4 +1,4 @@
-// Scenes that hierarchies are built badly over: nothing to split at, or nothing to split by.
+// Scenes over which good hierarchies cannot be built: primitives that no split separates.
 #include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/random_scene.h"
@@ -19,7 +19,7 @@ CaseSetup same_spheres(std::size_t count) {
     return setup;
 }
 
-/// One triangle many times over, met by two of three rays.
+/// Many copies of one triangle, hit by two of three rays.
 CaseSetup same_triangles(std::uint32_t count) {
     CaseSetup setup{{}, 1, [](Random& random) {
                         const double x = random.uniform(), y = random.uniform();
@@ -31,7 +31,7 @@ CaseSetup same_triangles(std::uint32_t count) {
     return setup;
 }
 
-/// Concentric spheres: all middles are the same.
+/// Concentric spheres: all centroids are equal.
 CaseSetup concentric() {
     Scene scene;
     for (int i = 0; i < 500; ++i) scene.geometry.add(Sphere{usual_place(), 1 + i / 1000.0}, 0);
@@ -47,7 +47,7 @@ CaseSetup in_a_row() {
     return aimed_at_scene(std::move(scene));
 }
 
-/// Every shape of a random scene eight times, the copies far apart in the numbering.
+/// Every shape of a random scene eight times, with the numbers of the copies far apart.
 CaseSetup copies() {
     Scene scene = random_scene({.count = 200});
     const std::vector<Primitive> once = scene.geometry.primitives.list();
@@ -63,7 +63,8 @@ CaseSetup copies() {
     return aimed_at_scene(std::move(scene));
 }
 
-/// A floor 1e6 wide, and in one spot of it 1e4 spheres of about 1e-3; half of the rays go there.
+/// A floor 1e6 wide, with 1e4 spheres of radius about 1e-3 in one spot; half of the rays are aimed
+/// there.
 CaseSetup stadium() {
     const auto near = [](Random& random) { return 0.1 * random.in_cube() + Vec3(0, 0, 0.1); };
     CaseSetup setup{{}, 1, [=](Random& random) {
@@ -83,7 +84,7 @@ CaseSetup stadium() {
     return setup;
 }
 
-/// Scene with everything at z = 0 exactly: triangles, and boxes without height.
+/// A scene exactly in the plane z = 0: triangles, and boxes without height.
 Scene flat() {
     Scene scene;
     Random random(17, 0);
@@ -100,7 +101,7 @@ Scene flat() {
     return scene;
 }
 
-/// Points on a line: no extent in two axes.
+/// Points on a line: no extent along two axes.
 Scene spikes() {
     Scene scene;
     for (int i = 0; i < 500; ++i) scene.geometry.add(Box{{0, 0, 2.0 * i}, {0, 0, 2.0 * i + 1}}, 0);

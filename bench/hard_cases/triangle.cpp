@@ -12,14 +12,14 @@ Corners usual() {
 
 const Corners level{{0, 0, 2}, {4, 0, 2}, {0, 4, 2}};
 
-/// A triangle 1 long and `height` high; level, or in an odd plane.
+/// Returns a triangle of length 1 and height `height`, horizontal or in a generic plane.
 Corners sliver(double height, bool is_tilted) {
     if (!is_tilted) return {{0, 0, 0}, {1, 0, 0}, {0.5, height, 0}};
     return {tilted(0, 0, 0), tilted(1, 0, 0), tilted(0.5, height, 0)};
 }
 
-/// Rays in a level triangle's plane, through points of a lattice to which its corners belong:
-/// exactly along edges and through corners.
+/// Rays in the plane of a horizontal triangle, through points of a lattice that contains its
+/// vertices: exactly along edges and through vertices.
 CaseSetup in_level_plane() {
     return only_face(level, 4, [](Random& random) {
         const auto lattice = [&random](double z) {
@@ -32,7 +32,7 @@ CaseSetup in_level_plane() {
     });
 }
 
-/// Triangles that nothing can hit, amid the good ones of a square of 16 x 16.
+/// Degenerate triangles, which cannot be hit, among the valid ones of a square of 16 x 16.
 CaseSetup degenerate_neighbours() {
     CaseSetup setup{{}, 1, [](Random& random) {
                         Vec3 target{random.uniform(0, 16), random.uniform(0, 16), 0};
@@ -53,8 +53,8 @@ CaseSetup degenerate_neighbours() {
     return setup;
 }
 
-/// Overlapping triangles with small integer corners in one plane, met at points of a finer lattice:
-/// everywhere several are hit at exactly the same distance.
+/// Overlapping triangles with small integer coordinates in one plane, hit at points of a finer
+/// lattice: several are hit everywhere, at exactly the same distance.
 CaseSetup coplanar() {
     CaseSetup setup{{}, 8, [](Random& random) {
                         const double x = static_cast<double>(random.index(33)) / 4;

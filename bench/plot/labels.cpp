@@ -9,7 +9,7 @@ namespace {
 constexpr double ascent = 11, descent = 4, padding = 3, mark_radius = 7;
 
 double width_of(const Label& label) {
-    // Continuation bytes of UTF-8 are no characters.
+    // Continuation bytes of UTF-8 are not counted.
     const auto characters = std::count_if(label.text.begin(), label.text.end(),
                                           [](unsigned char c) { return (c & 0xC0) != 0x80; });
     return (label.is_bold ? 8.0 : 7.0) * static_cast<double>(characters);
@@ -36,7 +36,7 @@ double crossing(Place a, Place b, const Rectangle& r) {
     return inside;
 }
 
-/// Returns places beside, above and below the mark, and then further and further off.
+/// Returns candidate positions beside, above and below the mark, at increasing distances.
 std::vector<Label> candidates(const Label& label) {
     std::vector<Label> list;
     const auto add = [&](double x, double y, Anchor anchor, bool is_far) {
@@ -61,7 +61,7 @@ std::vector<Label> candidates(const Label& label) {
     return list;
 }
 
-/// Cost of a label's place: what it covers, and how far off it is.
+/// Returns the cost of a label's position: the area that it covers, and its distance.
 double badness(const Label& label, const std::vector<Label>& all, std::size_t self,
                const Rectangle& page, const std::vector<Place>& avoid) {
     const Rectangle here = extent(label);
@@ -100,7 +100,7 @@ Place leader_end(const Label& label) {
 
 void place(std::vector<Label>& labels, const Rectangle& page, const std::vector<Place>& avoid) {
     for (Label& label : labels) label = candidates(label).front();
-    // Each in turn takes what is best while the others stay; soon nobody moves any more.
+    // Each label in turn moves to its best position while the others stay, until none moves.
     constexpr int rounds = 20;
     for (int round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < labels.size(); ++i) {

@@ -29,7 +29,7 @@ struct Range {
         low = std::min(low, std::log10(value));
         high = std::max(high, std::log10(value));
     }
-    /// Adds some room around, and widens to at least a factor of two.
+    /// Adds a margin and widens the range to at least a factor of two.
     void widen() {
         const double margin = std::max((high - low) / 20, (std::log10(2) - (high - low)) / 2);
         low -= margin;
@@ -40,7 +40,7 @@ struct Range {
     double low = std::numeric_limits<double>::infinity(), high = -low;
 };
 
-/// The chart without what cannot be drawn, and its ranges.
+/// The drawable points of a chart and its ranges.
 struct Curves {
     explicit Curves(const LineChart& chart) : series(chart.series) {
         for (Series& s : series) {
@@ -114,7 +114,7 @@ void draw_curve(Svg& svg, const Curves& curves, std::size_t which) {
     }
 }
 
-/// Places so close along the curves that no name fits between: it is to stand beside them.
+/// Returns points along the curves that are so close together that no name fits between them.
 std::vector<Place> along(const Curves& curves) {
     constexpr int steps = 8;
     std::vector<Place> places;

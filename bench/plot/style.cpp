@@ -2,8 +2,8 @@
 
 namespace etalon::plot {
 
-/// The colours are those of Okabe & Ito 2008 ("Color Universal Design"), which the colour-blind can
-/// tell apart; dashes and labels tell the same where there are no colours.
+/// The colours are those of Okabe & Ito 2008 ("Color Universal Design"), which colour-blind people
+/// can distinguish; dashes and labels also work without colours.
 std::string_view style() {
     return R"(
 .chart{font:12px system-ui,"Segoe UI",Helvetica,Arial,"DejaVu Sans",sans-serif;fill:var(--ink,#1c232b)}

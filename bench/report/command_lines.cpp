@@ -10,7 +10,7 @@
 namespace etalon::bench_report {
 namespace {
 
-/// The baselines take part unasked.
+/// The baselines always take part.
 std::vector<std::string> asked(const speed::Plan& plan) {
     std::vector<std::string> names = plan.tracers;
     std::erase_if(names, [](const std::string& name) {

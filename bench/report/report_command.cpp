@@ -1,4 +1,4 @@
-// etalon-bench report: everything measured, and one page about it.
+// etalon-bench report: runs all measurements and writes one page.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -41,8 +41,8 @@ Results nothing_yet(const Settings& settings) {
     return results;
 }
 
-/// One run of the command. The page is written again after every task, so that it shows what there
-/// is, whatever ends the run.
+/// One run of the command. The page is rewritten after every task, so that it is up to date
+/// whenever the run ends.
 class Report {
   public:
     Report(const std::string& folder, const Settings& settings)
@@ -116,7 +116,7 @@ class Report {
     Results results_;
     const Deadline deadline_;
     const std::vector<Task> tasks_;
-    const double seconds_;  ///< that all tasks take, about
+    const double seconds_;  ///< estimated time of all tasks
     std::size_t done_ = 0;
 };
 

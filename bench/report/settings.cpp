@@ -15,7 +15,7 @@
 namespace etalon::bench_report {
 namespace {
 
-/// The reference tests every primitive against every ray: the report does not wait for it.
+/// The reference tests every primitive against every ray, which is too slow for the report.
 std::vector<std::string> all_but_reference() {
     std::vector<std::string> names = backend_names();
     std::erase(names, reference_backend);
@@ -35,13 +35,13 @@ constexpr Cost costs[] = {{"showcase.p3f", 7.7},
                           {"features/depth_of_field.p3f", 0.8},
                           {"features/glossy.p3f", 0.9}};
 
-/// Scenes of which whole frames are measured.
+/// Scenes whose whole frames are measured.
 constexpr const char* framed[] = {"showcase.p3f", "features/glass.p3f", "features/meshes.p3f",
                                   "features/mirrors.p3f", "features/soft_shadows.p3f"};
 
 constexpr int quick_frame_width = 160;
 
-/// Of a frame; 0: the scene's.
+/// Samples per pixel of a frame; 0: the scene's own number.
 struct FrameSize {
     int width, samples;
 };
@@ -58,7 +58,7 @@ void add_usual_frames(FrameSize shipped, FrameSize family, Settings& s) {
     }
 }
 
-/// The file, or the scene files that a folder has, by name.
+/// Returns the file, or the scene files in a folder, sorted by name.
 std::vector<std::string> files_at(const std::string& path) {
     std::error_code error;
     if (!std::filesystem::is_directory(path, error)) return {path};
@@ -73,7 +73,7 @@ std::vector<std::string> files_at(const std::string& path) {
     return files;
 }
 
-/// Scenes in which well placed samples show their worth: in light, lens and highlight.
+/// Scenes in which good sampling matters: of lights, lens and highlights.
 constexpr const char* converging[] = {"features/soft_shadows.p3f", "features/depth_of_field.p3f",
                                       "features/glossy.p3f"};
 

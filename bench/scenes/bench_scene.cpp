@@ -13,7 +13,7 @@
 namespace etalon::bench {
 namespace {
 
-/// "FAMILY" or "FAMILY:SIZE" taken apart.
+/// The parts of "FAMILY" or "FAMILY:SIZE".
 struct Request {
     explicit Request(const std::string& name) {
         const std::size_t colon = name.find(':');
@@ -28,7 +28,7 @@ struct Request {
     bool has_size() const { return size >= 1 && size <= family->most; }
 
     const Family* family = nullptr;
-    std::size_t size = 0;  ///< 0 if what stands there is no number
+    std::size_t size = 0;  ///< 0 if it is not a number
 
   private:
     static std::size_t number(const std::string& text) {
@@ -46,7 +46,7 @@ std::string names_of_families() {
 
 NamedScene from_file(const std::string& path) {
     LoadResult loaded = load_scene(path);
-    std::vector<std::string> problems;  // grey stands in for an image of holes
+    std::vector<std::string> problems;  // an unreadable alpha image is replaced by grey
     if (loaded.scene) make_cut_outs(*loaded.scene, problems);
     return {std::move(loaded.scene), std::move(loaded.settings), report(loaded.diagnostics)};
 }

@@ -3,7 +3,7 @@
 
 namespace etalon::bench {
 
-/// No split tells them apart: a builder must end its recursion nevertheless.
+/// No split separates them, and a builder must still end its recursion.
 Scene duplicates(std::size_t count) {
     Scene scene = empty_scene();
     scene.geometry.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};

@@ -7,9 +7,9 @@
 namespace etalon::bench {
 namespace {
 
-/// Along every axis the corners are at 0, -a and a, each time in an order that starts elsewhere:
-/// so the mean of the corners and the middle of the box are both zero, without rounding, and the
-/// corners are never on a line.
+/// Returns a triangle whose vertices are at 0, -a and a along every axis, in an order rotated from
+/// axis to axis: so the centroid and the centre of the bounds are both exactly zero, and the
+/// vertices are never collinear.
 std::array<Vec3, 3> centred_corners(Random& random) {
     const std::size_t first = random.index(3);
     std::array<Vec3, 3> corners{Vec3(0), Vec3(0), Vec3(0)};
@@ -24,7 +24,7 @@ std::array<Vec3, 3> centred_corners(Random& random) {
 
 }  // namespace
 
-/// A builder that splits by centres sees one point.
+/// All triangles have the same centre, so a builder that splits by centres sees one point.
 Scene equal(std::size_t count) {
     Scene scene = empty_scene({.fov_degrees = 20});
     Random random(4);

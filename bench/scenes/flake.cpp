@@ -6,10 +6,10 @@
 namespace etalon::bench {
 namespace {
 
-constexpr double coarsest = 60;  ///< triangles that a sphere has at least, if there are enough
+constexpr double coarsest = 60;  ///< least triangles of a sphere, if there are enough
 constexpr std::size_t deepest = 3;
 
-/// Bands of quads from pole to pole, and a fan of triangles at either.
+/// A sphere of bands of quads with a fan of triangles at each pole.
 struct Tessellation {
     explicit Tessellation(double triangles)
         : stacks(static_cast<std::uint32_t>(std::max(2.0, std::round(half_root(triangles))))),
@@ -19,7 +19,7 @@ struct Tessellation {
     std::uint32_t stacks, slices;  ///< 2 slices (stacks - 1) triangles
 
   private:
-    /// Number of stacks which goes with twice as many slices.
+    /// Returns the number of stacks if there are twice as many slices.
     static double half_root(double triangles) { return (1 + std::sqrt(1 + triangles)) / 2; }
 };
 
@@ -52,7 +52,7 @@ void add_sphere(Scene& scene, const Sphere& s, const Tessellation& t) {
     }
 }
 
-/// The deepest flake whose spheres are not too coarse.
+/// Returns the deepest flake whose spheres are not too coarse.
 std::vector<Sphere> spheres_for(double triangles) {
     for (std::size_t depth = deepest; depth > 0; --depth) {
         std::vector<Sphere> spheres = sphereflake_spheres(depth);
@@ -63,7 +63,7 @@ std::vector<Sphere> spheres_for(double triangles) {
 
 }  // namespace
 
-/// Small triangles in clusters, and two large ones that they all stand on.
+/// Small triangles in clusters, on a floor of two large ones.
 Scene flake(std::size_t count) {
     Scene scene = empty_scene({.eye = {2.8, 1.8, 3.4}, .at = {0, 0, 0}});
     const double triangles = std::max(0.0, static_cast<double>(count) - 2);

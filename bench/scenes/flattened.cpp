@@ -5,7 +5,7 @@
 namespace etalon::bench {
 namespace {
 
-/// The vertices that an object's triangles use, each once.
+/// The distinct vertices of an object's triangles.
 struct UsedVertices {
     explicit UsedVertices(const Geometry& object) {
         for (const TriangleIndices t : object.all<Triangle>()) {
@@ -16,7 +16,7 @@ struct UsedVertices {
     }
 
     std::vector<Vec3> points;
-    std::map<std::uint32_t, std::size_t> place;  ///< of a vertex among the points
+    std::map<std::uint32_t, std::size_t> place;  ///< index of a vertex among the points
 };
 
 void add_copy(const Geometry& object, const UsedVertices& used, const Affine& map, Geometry& to) {

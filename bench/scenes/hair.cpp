@@ -4,7 +4,7 @@
 namespace etalon::bench {
 namespace {
 
-/// A hair that grows from a ball's surface, falls to one side and thins out.
+/// A hair on a ball, which falls to one side and tapers.
 BezierCurve hair_at(const Vec3& root, const Vec3& bend, double width) {
     BezierCurve c{};
     const Vec3 steps[] = {0.12 * root, 0.12 * root + 0.06 * bend, 0.08 * root + 0.2 * bend};
@@ -18,7 +18,7 @@ BezierCurve hair_at(const Vec3& root, const Vec3& bend, double width) {
 
 }  // namespace
 
-/// Hairs are thinner the more there are, so that the ball is about as densely covered.
+/// More hairs are thinner, so that the ball is covered equally densely.
 Scene hair(std::size_t count) {
     constexpr std::uint32_t parts = 8;  // pbrt-v3's
     Scene scene = empty_scene();

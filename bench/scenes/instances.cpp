@@ -1,4 +1,4 @@
-// Scenes of instances, as etalon-scenes writes them, and the same without instances.
+// Scenes of instances, as etalon-scenes writes them, and the same scenes flattened.
 #include <stdexcept>
 
 #include "bench/scenes/bench_families.h"

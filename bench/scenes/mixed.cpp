@@ -5,7 +5,7 @@
 namespace etalon::bench {
 namespace {
 
-/// A random place and shapes about as large as `size` there.
+/// Random shapes of about `size` at a random position.
 class Mixer {
   public:
     Mixer(Scene& scene, double size) : scene_(scene), size_(size) {}

@@ -4,7 +4,7 @@
 
 namespace etalon::bench {
 
-/// Boxes far larger than what is in them.
+/// Thin triangles whose boxes are far larger than the triangles.
 Scene slivers(std::size_t count) {
     Scene scene = empty_scene({.eye = {1.5, 1.1, 1.9}});
     Random random(5);

@@ -4,8 +4,9 @@
 
 namespace etalon::bench {
 
-/// Corners within an edge of their triangle's place; the edge shrinks so that the total area, and
-/// with it the number of surfaces a ray passes, stays alike for every count.
+/// Vertices are within one edge length of the triangle's position. The edge length decreases so
+/// that the total area, and with it the number of surfaces that a ray passes, is about the same for
+/// every count.
 Scene soup(std::size_t count) {
     Scene scene = empty_scene();
     Random random(1);
@@ -18,7 +19,8 @@ Scene soup(std::size_t count) {
     return scene;
 }
 
-/// Triangles as a broken exporter writes them: none can be hit, and no other may suffer by it.
+/// Degenerate triangles as a broken exporter writes them: they cannot be hit, and must not affect
+/// others.
 Scene nan_soup(std::size_t count) {
     Scene scene = soup(count);
     for (std::size_t i = 9; i < count; i += 10) {
@@ -28,8 +30,8 @@ Scene nan_soup(std::size_t count) {
     return scene;
 }
 
-/// Triangles like those of soup, in the plane y = 0: every box is without thickness, and every ray
-/// meets many triangles at the same distance.
+/// Triangles like those of `soup`, in the plane y = 0: boxes have no thickness, and a ray hits many
+/// triangles at the same distance.
 Scene flat(std::size_t count) {
     Scene scene = empty_scene({.eye = {0.7, 2, 1}});
     Random random(3);

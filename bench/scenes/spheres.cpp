@@ -4,7 +4,7 @@
 
 namespace etalon::bench {
 
-/// The radius shrinks so that the number of spheres a ray passes stays alike for every count.
+/// The radius decreases so that a ray passes about the same number of spheres for every count.
 Scene spheres(std::size_t count) {
     Scene scene = empty_scene();
     Random random(2);

@@ -6,9 +6,10 @@ namespace etalon::bench {
 namespace {
 
 constexpr double share_of_needles = 18.0 / 268;
-constexpr double nearest = 4, farthest = 20;  ///< middles of needles from the torus's centre
+constexpr double nearest = 4, farthest = 20;  ///< distances of needles from the torus's centre
 
-/// Adds needles along no axis; none is nearer to the centre than its middle.
+/// Adds needles that are parallel to no axis; the centre of each is its closest point to the
+/// torus's centre.
 void add_needles(Scene& scene, std::size_t count) {
     Random random(6);
     for (std::size_t i = 0; i < count; ++i) {
@@ -20,7 +21,7 @@ void add_needles(Scene& scene, std::size_t count) {
     }
 }
 
-/// 0.2 across, tilted towards the camera.
+/// The torus, 0.2 wide, tilted towards the camera.
 void add_torus(Scene& scene, double triangles) {
     const double around = std::max(3.0, std::round(std::sqrt(triangles / 4)));
     const double along = std::max(3.0, std::round(triangles / (2 * around)));
@@ -36,9 +37,8 @@ void add_torus(Scene& scene, double triangles) {
 
 }  // namespace
 
-/// The teapot in the stadium, with seats that no box fits: what is fine is small, and every
-/// needle's box holds most of the scene. The camera looks at the torus from the midst of the
-/// needles.
+/// A teapot in a stadium whose seats no box fits: the detailed object is small, and every needle's
+/// box contains most of the scene. The camera looks at the torus from among the needles.
 Scene stadium(std::size_t count) {
     Scene scene = empty_scene({.eye = {0.2, 0.15, 0.4}, .fov_degrees = 30, .light = {1, 1.5, 1.2}});
     const double needles = std::round(share_of_needles * static_cast<double>(count));

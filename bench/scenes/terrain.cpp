@@ -6,12 +6,12 @@
 namespace etalon::bench {
 namespace {
 
-/// Its first derivative vanishes at 0 and 1, so that cells of noise join smoothly.
+/// Smoothstep: its first derivative vanishes at 0 and 1, so that cells of noise join smoothly.
 double smooth(double x) {
     return x * x * (3 - 2 * x);
 }
 
-/// A smooth random function with its values given at whole numbers, from -1 to 1.
+/// Value noise: interpolates random values in [-1, 1] at integer points.
 double noise(double x, double y, std::uint32_t seed) {
     const double left = std::floor(x), low = std::floor(y);
     const auto value = [&](int dx, int dy) {
@@ -24,8 +24,9 @@ double noise(double x, double y, std::uint32_t seed) {
                      v);
 }
 
-/// Octaves of noise, each half as high and twice as fine, down to two quads (fractional Brownian
-/// motion: Mandelbrot & Van Ness 1968; for terrain, Fournier, Fussell & Carpenter 1982).
+/// Sum of octaves of noise, each with half the amplitude and twice the frequency, down to two quads
+/// (fractional Brownian motion: Mandelbrot & Van Ness 1968; for terrain, Fournier, Fussell &
+/// Carpenter 1982).
 double height(double x, double y, std::uint32_t quads) {
     double sum = 0, amplitude = 0.2;
     std::uint32_t octave = 0;

@@ -7,7 +7,7 @@
 namespace etalon::speed {
 namespace {
 
-/// An exact backend that shares no tree with the one that is compared with it.
+/// Returns an exact backend that shares no tree with the one compared with it.
 std::string reference_of(const std::string& tracer) {
     return tracer == second_backend ? default_backend : second_backend;
 }
@@ -44,7 +44,7 @@ std::optional<KindFigures> RayMeasurement::measure(const RaySet& set,
     return figures;
 }
 
-/// Nothing if it was over before the last repeat.
+/// Returns nothing if it was stopped before the last repeat.
 std::vector<RayFigures> RayMeasurement::time(const RaySet& set,
                                              const std::function<bool()>& is_over,
                                              Answers& answers) const {

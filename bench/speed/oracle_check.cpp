@@ -3,7 +3,7 @@
 #include <bit>
 
 namespace etalon::speed {
-/// The bits of 0, 1, 2, ... reversed (van der Corput 1935).
+/// Van der Corput sequence: the reversed bits of 0, 1, 2, ... (1935).
 std::vector<std::size_t> scattered(std::size_t count) {
     const int bits = static_cast<int>(std::bit_width(count));
     std::vector<std::size_t> order;

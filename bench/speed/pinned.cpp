@@ -44,8 +44,7 @@ double thread_cpu_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Barrier at which threads wait for each other without going to sleep: waking one takes as long as
-/// a thousand rays.
+/// Spinning barrier for threads: waking a sleeping thread takes as long as a thousand rays.
 class StartLine {
   public:
     explicit StartLine(int threads) : missing_(threads) {}
@@ -65,7 +64,7 @@ struct Shift {
     double begin = 0, end = 0, cpu = 0;
     std::exception_ptr failure;
 
-    /// Keeps the first failure, so that threads still meet.
+    /// Keeps the first exception, so that all threads still reach the barrier.
     template <class F>
     void attempt(const F& f) {
         if (failure) return;

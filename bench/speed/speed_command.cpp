@@ -1,5 +1,5 @@
-// etalon-bench speed: how many rays a second, and how many bytes and seconds of building, each
-// backend needs, beside how often it is wrong on the same rays.
+// etalon-bench speed: rays per second, build time and memory of each backend, with its errors on
+// the same rays.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 
 using namespace speed;
 
-/// The reference tests every primitive against every ray: only who asks for it is to wait for it.
+/// The reference tests every primitive against every ray, so it is measured only on request.
 std::vector<std::string> usual_tracers() {
     std::vector<std::string> names = tracer_names();
     std::erase(names, reference_backend);
@@ -91,7 +91,7 @@ SceneFigures measure(const SpeedArguments& a, const std::string& name, Scene sce
     return figures;
 }
 
-/// Before anything is measured: a slip of the pen in the last name is to cost no hour.
+/// Checks all names before anything is measured, so that an error in the last one costs no time.
 int check_arguments(const SpeedArguments& a) {
     std::string complaints;
     for (const std::string& name : a.scenes) {
@@ -106,13 +106,13 @@ int check_arguments(const SpeedArguments& a) {
     return exit_not_written;
 }
 
-/// A file after every scene, so that who interrupts a long run keeps what was measured.
+/// Writes the file after every scene, so that an interrupted run keeps its results.
 bool save(const SpeedArguments& a, const nlohmann::ordered_json& json, bool is_complete) {
     if (a.json.empty() || (a.json == "-" && !is_complete)) return true;
     return write_json(a.json, json);
 }
 
-/// Keeps what was finished, marked as partial; returns the exit status.
+/// Keeps finished results, marked as partial; returns the exit status.
 int stop_at(const std::string& scene, const SpeedArguments& a, nlohmann::ordered_json& json,
             int signal) {
     json["stopped"] = "signal";

@@ -10,7 +10,7 @@
 namespace etalon::table {
 namespace {
 
-/// Returns the words after `beginning`, whose length is how far further lines are indented.
+/// Returns the words after `beginning`; further lines are indented by its length.
 std::string wrapped(const std::string& beginning, const std::string& words) {
     std::string text, line = beginning;
     std::istringstream stream(words);

@@ -18,7 +18,7 @@ LibraryJump& jump_of(j_common_ptr info) {
     return *static_cast<LibraryJump*>(info->client_data);
 }
 
-/// A sentence for an error of libjpeg, whose own words are about its steps.
+/// Returns a message for an error of libjpeg, whose own messages describe its internal state.
 const char* reason_of(int error) {
     switch (error) {
         case JERR_OUT_OF_MEMORY:
@@ -43,16 +43,16 @@ void fail(j_common_ptr info) {
     jump.leave();
 }
 
-/// Whether a scan ends while whole rows of its blocks are missing. After a restart marker it goes
-/// on.
+/// Returns whether a scan ended while whole rows of its blocks are missing. After a restart marker
+/// the scan continues.
 bool lacks_rows(const jpeg_decompress_struct& info) {
     const int marker = info.unread_marker;
     const bool restarts = marker >= JPEG_RST0 && marker < JPEG_RST0 + 8;
     return !restarts && info.input_iMCU_row + 1 < info.total_iMCU_rows;
 }
 
-/// Fails where a file or a scan ends early, which libjpeg would show as grey; other damage is only
-/// warned of.
+/// Fails if a file or a scan ends early, which libjpeg would show as grey. Other warnings are
+/// ignored.
 void note(j_common_ptr info, int level) {
     if (level >= 0) return;
     const int warning = info->err->msg_code;
@@ -60,7 +60,7 @@ void note(j_common_ptr info, int level) {
     if (warning == JWRN_JPEG_EOF || (warning == JWRN_HIT_MARKER && lacks_rows(decoder))) fail(info);
 }
 
-/// What of a file has not been read yet. Its size is a hint only, which a pipe does not have.
+/// Reads the rest of a file. The file's size is only a hint; a pipe has none.
 PixelBytes rest_of(std::FILE* file) {
     constexpr std::size_t most = 1 << 16;  // bytes at a time
     PixelBytes bytes;
@@ -76,8 +76,8 @@ PixelBytes rest_of(std::FILE* file) {
     return bytes;
 }
 
-/// Colours of inks that are stored as Adobe's programs do, 255 for none: what of the light the
-/// ink and the black leave, as OpenImageIO has it.
+/// Converts CMYK, inverted as Adobe's programs store it (255 is no ink), to RGB. Each channel is
+/// multiplied by black, as in OpenImageIO.
 void to_rgb(const std::uint8_t* inks, std::uint8_t* rgb, int count) {
     const auto part = [](std::uint8_t byte) { return static_cast<float>(byte) * (1.0F / 255); };
     for (; count > 0; --count, inks += 4, rgb += 3) {
@@ -90,10 +90,10 @@ void to_rgb(const std::uint8_t* inks, std::uint8_t* rgb, int count) {
 /// Decoder of one file. Its functions return false on failure, for which reason() gives the cause.
 class JpegReader {
   public:
-    /// Header only: from the file itself. The whole image: from its bytes, as libjpeg decodes
-    /// slowly what is near the end of its source's buffer, which has but 4 KB of a file.
+    /// Reads a header from the file itself. A whole image is decoded from memory, since libjpeg is
+    /// slow near the end of its source's buffer, and its buffer of a file has only 4 KB.
     JpegReader(std::FILE* file, Extent extent) {
-        // First, as a constructor that throws does not give back what libjpeg has by then.
+        // Comes first: if it throws, nothing of libjpeg is left to be destroyed.
         if (extent == Extent::whole) bytes_ = rest_of(file);
         info_.err = jpeg_std_error(&errors_);
         info_.client_data = &jump_;
@@ -134,7 +134,7 @@ class JpegReader {
     std::string reason() const { return jump_.reason; }
 
   private:
-    /// Whether the four channels are amounts of ink.
+    /// Returns whether the four channels are CMYK.
     bool has_inks() const {
         return info_.jpeg_color_space == JCS_CMYK || info_.jpeg_color_space == JCS_YCCK;
     }
@@ -149,11 +149,11 @@ class JpegReader {
     jpeg_error_mgr errors_ = {};
     jpeg_decompress_struct info_ = {};
     PixelBytes bytes_;
-    std::vector<std::uint8_t> inks_;  ///< of a row
+    std::vector<std::uint8_t> inks_;  ///< CMYK values of a row
     bool opened_ = false;
 };
 
-/// Reads the pixels after the header: the reason of a failure, or an empty string.
+/// Reads the pixels after the header. Returns the reason of a failure, or an empty string.
 std::string read_pixels(JpegReader& reader, Image& image) {
     if (!reader.start()) return reader.reason();
     const auto read = [&](std::uint8_t* first, int count) {

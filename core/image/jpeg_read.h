@@ -8,9 +8,9 @@
 
 namespace etalon {
 
-/// A JPEG file, by libjpeg: bytes of its channels, as sRGB, those of inks (CMYK) as three; neither
-/// its orientation nor a colour profile is applied. A failure's reason does not name the file; a
-/// file that ends early is one. May throw std::bad_alloc.
+/// Reads a JPEG file with libjpeg: one byte for each channel, taken as sRGB. CMYK is converted to
+/// RGB. Neither orientation nor colour profile is applied. A file that ends early is an error. The
+/// error message does not name the file. May throw std::bad_alloc.
 Result<Image> read_jpeg(std::FILE* file, Extent extent);
 
 }  // namespace etalon

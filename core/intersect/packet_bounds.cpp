@@ -70,11 +70,11 @@ PacketBounds::Intervals packet_intervals(const RayPacket& packet) {
     return all;
 }
 
-/// The bounds of rays that go one way, as several boxes see them.
+/// Tests the bounds of a packet whose rays go one way against several boxes.
 ///
-/// Of the roundings, fewer than ten for a side, none is more than 2^-53 of `size`, a sum of the
-/// magnitudes that enter. What a kernel still hits is within the rest of the margin. What is
-/// infinite has infinite room.
+/// A side takes fewer than ten roundings, each at most 2^-53 of `size`, the sum of the operands'
+/// magnitudes. The rest of the margin covers what a kernel may still hit. Infinite operands have an
+/// infinite margin.
 struct BoundsLanes {
     HWY_INLINE BoundsLanes(const PacketBounds::Intervals& all, int dominant_axis, bool up)
         : z(dominant_axis),

@@ -9,33 +9,37 @@
 
 namespace etalon {
 
-/// What all rays of a packet lie within: what is outside is no matter for any of them
-/// (Boulos, Wald & Shirley 2006, "Geometric and Arithmetic Culling Methods for Entire Ray Packets",
-/// University of Utah, UUCS-06-010).
+/// Bounds of all rays of a packet: no ray can hit anything outside them (Boulos, Wald & Shirley
+/// 2006, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", University of Utah,
+/// UUCS-06-010).
 class PacketBounds {
   public:
-    /// How much wider the bounds are, in parts of the coordinates' size.
+    /// Relative margin by which the bounds are enlarged, as a fraction of the coordinates'
+    /// magnitude.
     static constexpr double margin = 0x1p-20;
 
-    /// The bounds of a packet that is not empty. Directions are of usual length: see RescaledRay.
+    /// Computes the bounds of a packet, which must not be empty. Directions have usual lengths: see
+    /// RescaledRay.
     explicit PacketBounds(const RayPacket& packet);
 
-    /// Whether anything can be said: not of rays that go both ways along the dominant axis.
+    /// Returns whether all rays go the same way along the dominant axis. If not, the bounds are of
+    /// no use.
     bool goes_one_way() const { return goes_up_ || goes_down_; }
 
-    /// Writes to `numbers`, which has room for all, those of the boxes that a ray may meet: none of
-    /// the others is within the margin, which is far above all roundings. Returns how many. The
-    /// rays go one way.
+    /// Writes the numbers of the boxes that a ray may hit to `numbers`, which must have room for
+    /// all boxes, and returns their count. All other boxes are outside the margin, which is far
+    /// above all roundings. The rays must go one way.
     std::size_t find_near(const BoxColumns& boxes, std::uint32_t* numbers) const;
 
     struct Interval {
         double least, most;
     };
 
-    /// What the lines of the rays lie within, axis by axis.
+    /// Bounds of the rays' origins and slopes on each axis.
     struct Intervals {
         std::array<Interval, 3> origins;
-        /// Against the dominant axis; of that one 1 / its component.
+        /// Direction divided by its component along the dominant axis; on that axis 1 / the
+        /// component.
         std::array<Interval, 3> slopes;
     };
 

@@ -11,20 +11,20 @@
 namespace etalon {
 namespace {
 
-/// What it costs to test a packet against a primitive: 1 where rays share the test.
+/// Cost of testing a packet against a primitive without a packet kernel. With one the cost is 1.
 constexpr std::uint8_t cost_one_by_one = 4;
 
-/// Whether tests of that cost take less than the way of each ray through a tree: the fewer rays
-/// share them, the less they are worth.
+/// Returns whether tests of that cost take less time than the traversal of a tree by each ray. The
+/// fewer rays share the tests, the lower the cost must be.
 bool is_worthwhile(std::size_t cost, std::size_t rays) {
     return cost <= 1 + rays / 4;
 }
 
-/// So many rays of a batch say of the others: if no packet of theirs is next to few primitives, no
-/// other will be.
+/// Number of rays at the start of a batch that stand for the rest: if each of their packets may hit
+/// too many primitives, no further packet is tried.
 constexpr std::size_t probed = 2 * RayPacket::most;
 
-/// Asks a backend, ask(rays, answers), for those of `rays` that are in the packet.
+/// Calls ask(rays, answers), which asks the backend, for those of `rays` that are in the packet.
 template <class Rays, class Answer, class Ask>
 void ask_for_packet(const RayPacket& packet, const Rays& rays, std::span<Answer> answers,
                     const Ask& ask) {
@@ -54,7 +54,7 @@ PacketIntersector::PacketIntersector(const Geometry& geometry, const BatchInters
     }
 }
 
-/// Finds the primitives that rays of a packet may meet. Returns nothing where they are many.
+/// Finds the primitives that rays of a packet may hit. Returns nothing if they are too many.
 std::optional<std::span<const std::uint32_t>> PacketIntersector::find_few(const RayPacket& packet,
                                                                           Near& near) const {
     const PacketBounds bounds(packet);
@@ -66,8 +66,8 @@ std::optional<std::span<const std::uint32_t>> PacketIntersector::find_few(const 
     return found;
 }
 
-/// Sets the answers by offer(packet, near), with the few primitives that rays of a packet may meet,
-/// or by ask(rays, answers), which asks the backend.
+/// Sets the answers packet by packet: by offer(packet, near) if its rays may hit few primitives,
+/// else by ask(rays, answers), which asks the backend.
 template <class Rays, class Answer, class Offer, class Ask>
 void PacketIntersector::answer_all(const Rays& rays, std::span<Answer> answers, const Offer& offer,
                                    const Ask& ask) const {
@@ -93,8 +93,8 @@ void PacketIntersector::answer_all(const Rays& rays, std::span<Answer> answers, 
     }
 }
 
-/// Rays of a batch are alike in that hint. That shadow rays of neighbours go to the same lights is
-/// likely without it.
+/// All rays of a batch have the same coherence hint. Shadow rays need none: those of adjacent rays
+/// mostly go to the same lights.
 template <class Rays>
 void PacketIntersector::find_closest(const Rays& rays, std::span<Hit> hits) const {
     if (!has_packets_ || rays.empty() || !rays[0].coherent()) return backend_.closest(rays, hits);

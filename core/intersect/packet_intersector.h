@@ -10,18 +10,20 @@
 
 namespace etalon {
 
-/// What integrators ask of an exact backend: where a scene has few primitives, packets of
-/// neighbouring rays that go nearly the same way are tested against the few that are next to them;
-/// all else goes to the backend itself. Hits are to the bit those of the backend.
+/// An exact backend with packets for small scenes: packets of coherent rays are tested against the
+/// few primitives that they may hit. All other rays go to the backend itself. Hits have the same
+/// bits as the backend's.
 class PacketIntersector final : public BatchIntersector {
   public:
-    /// So many primitives are looked at in less time than the way of each ray through a tree takes.
+    /// Largest number of primitives for which culling takes less time than the traversal of a tree
+    /// by each ray.
     static constexpr std::size_t most_primitives = 256;
 
-    /// Geometry and backend must outlive this. All is for a backend that is not exact itself.
+    /// `geometry` and `backend` must outlive the object. If the backend is not exact, all rays go
+    /// to it.
     PacketIntersector(const Geometry& geometry, const BatchIntersector& backend, bool is_exact);
 
-    /// Whether there are packets at all.
+    /// Returns whether packets are used at all.
     bool has_packets() const { return has_packets_; }
 
     void closest(std::span<const Ray> rays, std::span<Hit> hits) const override;
@@ -46,9 +48,9 @@ class PacketIntersector final : public BatchIntersector {
     const Geometry& geometry_;
     const BatchIntersector& backend_;
     bool has_packets_;
-    BoxColumns boxes_;                       ///< of the primitives that can be hit
-    std::vector<std::uint32_t> primitives_;  ///< numbers of these
-    std::vector<std::uint8_t> costs_;        ///< of testing a packet against them
+    BoxColumns boxes_;                       ///< bounds of the primitives that can be hit
+    std::vector<std::uint32_t> primitives_;  ///< number of the primitive in each box
+    std::vector<std::uint8_t> costs_;        ///< cost of testing a packet against it
 };
 
 }  // namespace etalon

@@ -20,13 +20,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Asks primitive_first_hit() of the rays, from number `first` on, for which it is to say.
+/// Replaces uncertain hits of the rays from number `first` on by those of primitive_first_hit().
 HWY_NOINLINE Doubles decide(const Geometry& geometry, std::uint32_t primitive, const HitLanes& hits,
                             const RayPacket& packet, std::size_t first) {
     HWY_ALIGN double ts[most_doubles];
     hn::Store(hits.t, DoubleTag(), ts);
     std::uint8_t bits = 0;
-    hn::StoreMaskBits(DoubleTag(), hits.doubtful, &bits);
+    hn::StoreMaskBits(DoubleTag(), hits.uncertain, &bits);
     for (std::uint32_t left = bits; left != 0; left &= left - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(left));
         ts[lane] = primitive_first_hit(geometry, primitive, RayQuery(packet.ray(first + lane)));
@@ -41,8 +41,8 @@ HWY_INLINE bool offer_lanes(const Geometry& geometry, std::uint32_t primitive, H
     const Doubles number = broadcast(primitive);
     const DoubleMask is_excluded = hn::LoadU(tag, &packet.excludes[first]) == number;
     const DoubleMask is_tested = hn::AndNot(is_excluded, hn::FirstN(tag, packet.count - first));
-    hits.doubtful = hn::And(is_tested, hits.doubtful);
-    if (HWY_UNLIKELY(!hn::AllFalse(tag, hits.doubtful))) {
+    hits.uncertain = hn::And(is_tested, hits.uncertain);
+    if (HWY_UNLIKELY(!hn::AllFalse(tag, hits.uncertain))) {
         hits.t = decide(geometry, primitive, hits, packet, first);
     }
     const Doubles t = hits.t, nearest = hn::LoadU(tag, &packet.ts[first]);
@@ -56,7 +56,7 @@ HWY_INLINE bool offer_lanes(const Geometry& geometry, std::uint32_t primitive, H
     return true;
 }
 
-/// Offers a primitive, for which first_hits(rays) answers.
+/// Offers a primitive whose hits first_hits(rays) returns.
 template <class FirstHits>
 HWY_INLINE bool offer(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet,
                       const FirstHits& first_hits) {

@@ -26,7 +26,7 @@ HWY_INLINE DoubleMask is_zero_or_above(Doubles least, Doubles size) {
     return hn::Or(size >= least, size == hn::Zero(DoubleTag()));
 }
 
-/// The steps of is_valid(), and those of RayQuery.
+/// Classifies rays by the conditions of is_valid() and RayQuery.
 HWY_INLINE DoubleMask common(const RayColumns& c, std::size_t i, const Vec3Lanes& size) {
     const DoubleTag tag;
     const Doubles largest = hn::Max(size.x, hn::Max(size.y, size.z));
@@ -37,28 +37,40 @@ HWY_INLINE DoubleMask common(const RayColumns& c, std::size_t i, const Vec3Lanes
         hn::And(is_zero_or_above(least, size.x),
                 hn::And(is_zero_or_above(least, size.y), is_zero_or_above(least, size.z)));
     const DoubleMask is_way = hn::LoadU(tag, &c.tmins[i]) < hn::LoadU(tag, &c.tmaxs[i]);
-    return hn::And(hn::And(is_finite(load(c.origins, i)), is_finite(size)),
+    // What is not finite is not in range or, if it is no number, negligible.
+    return hn::And(is_finite(load(c.origins, i)),
                    hn::And(is_way, hn::And(in_range, not_negligible)));
 }
 
-/// dominant_axis().
-HWY_INLINE void store_dominant(const Vec3Lanes& size, std::uint64_t* to) {
+using Words = hn::Vec<WordTag>;
+
+/// Returns dominant_axis() of several rays.
+HWY_INLINE Words dominant(const Vec3Lanes& size) {
     const WordTag tag;
     const auto words = [](DoubleMask mask) HWY_ATTR {
         return hn::BitCast(WordTag(), hn::VecFromMask(DoubleTag(), mask));
     };
     const auto is_x = words(hn::And(size.x >= size.y, size.x >= size.z));
     const auto y_or_z = hn::Add(hn::Set(tag, 2), words(size.y >= size.z));  // a mask is -1
-    hn::StoreU(hn::AndNot(is_x, y_or_z), tag, to);
+    return hn::AndNot(is_x, y_or_z);
 }
 
 void describe(RayColumns& c) {
-    for (std::size_t i = 0; i < c.count; i += hn::Lanes(DoubleTag())) {
+    const DoubleTag tag;
+    const WordTag words;
+    const Words first = hn::Set(words, dominant_axis(c.directions[0]));
+    DoubleMask are_alike = hn::FirstN(tag, most_doubles);
+    for (std::size_t i = 0; i < c.count; i += hn::Lanes(tag)) {
         const Vec3Lanes size = abs(load(c.directions, i));
-        const auto mask = hn::VecFromMask(DoubleTag(), common(c, i, size));
-        hn::StoreU(hn::BitCast(WordTag(), mask), WordTag(), &c.common[i]);
-        store_dominant(size, &c.dominants[i]);
+        const DoubleMask is_common = common(c, i, size);
+        const Words axis = dominant(size);
+        hn::StoreU(hn::BitCast(words, hn::VecFromMask(tag, is_common)), words, &c.common[i]);
+        hn::StoreU(axis, words, &c.dominants[i]);
+        const DoubleMask is_along = hn::RebindMask(tag, axis == first);
+        const DoubleMask is_beyond = hn::Not(hn::FirstN(tag, c.count - i));
+        are_alike = hn::And(are_alike, hn::Or(is_beyond, hn::And(is_common, is_along)));
     }
+    c.are_alike = hn::AllTrue(tag, are_alike);
 }
 
 }  // namespace etalon::HWY_NAMESPACE
@@ -69,7 +81,7 @@ namespace etalon {
 
 HWY_EXPORT(describe);
 
-/// The last ray fills what a vector has beyond it: rays alone decide a branch on all lanes.
+/// The lanes beyond the last ray repeat it, so that a branch on all lanes depends on rays only.
 RayColumns::RayColumns(std::span<const Ray> rays)
     : count(rays.size()), origins(own_origins_.span()), directions(own_directions_.span()) {
     static_assert(most % padded_doubles == 0);

@@ -8,15 +8,15 @@
 
 namespace etalon {
 
-/// Some rays with their components apart, and what can be said of several at a time.
+/// Up to `most` rays as a structure of arrays, with properties computed several at a time.
 struct RayColumns {
-    /// So many that they stay in the fastest cache.
+    /// Most rays; few enough to stay in the L1 cache.
     static constexpr std::size_t most = 64;
 
     template <class T>
     using Column = std::array<T, most>;
 
-    /// Sets the columns to up to `most` rays.
+    /// Copies up to `most` rays to the columns.
     explicit RayColumns(std::span<const Ray> rays);
 
     /// The same; the columns of the stream are not copied.
@@ -29,10 +29,13 @@ struct RayColumns {
     Vec3Span origins, directions;  ///< padded
     Column<double> tmins, tmaxs;
 
-    /// Other than 0 for what nearly all rays are: valid, and of directions whose components are
-    /// zeros or within 2^-500 of the largest, which is of usual size (see RescaledRay).
+    /// Not 0 for common rays: those that are valid and have a direction whose components are 0 or
+    /// at least 2^-500 times the largest, which has a usual size (see RescaledRay). Nearly all rays
+    /// are.
     Column<std::uint64_t> common;
     Column<std::uint64_t> dominants;  ///< dominant axes of the directions
+    bool are_alike =
+        false;  ///< all are common rays of one dominant axis, as nearly all neighbours are
 
   private:
     Vec3Columns<most> own_origins_, own_directions_;

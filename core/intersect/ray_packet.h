@@ -7,14 +7,14 @@
 
 namespace etalon {
 
-/// Rays of one dominant axis, side by side, that look for their nearest hits together. So many that
-/// what kernels need of them stays in the fastest cache.
+/// A packet of rays of one dominant axis, as a structure of arrays, with their nearest hits. It is
+/// small enough for the data that kernels need to stay in the L1 cache.
 class RayPacket {
   public:
     static constexpr std::size_t most = RayColumns::most;
 
-    /// Number of no primitive. Numbers of primitives are doubles here, so that vector instructions
-    /// can compare them together with the rest.
+    /// Primitive number of a miss. Primitive numbers are doubles here, so that vector instructions
+    /// can compare them in the same lanes as the distances.
     static constexpr double none = infinity;
 
     template <class T>
@@ -24,17 +24,17 @@ class RayPacket {
     RayPacket(const RayPacket&) = delete;
     RayPacket& operator=(const RayPacket&) = delete;
 
-    int dominant = 0;  ///< the axis that is the dominant one of all
+    int dominant = 0;  ///< dominant axis of all directions
     std::size_t count = 0;
     Vec3Span origins{};
     Vec3Span directions{};  ///< as in a RayQuery
     const double *tmins = nullptr, *excludes = nullptr;
-    Column<double> ts, primitives;  ///< of the nearest hits; at first the ray's tmax, and none
-    Column<std::uint32_t> numbers;  ///< of the rays, among those that were asked for
+    Column<double> ts, primitives;  ///< nearest hits; at first tmax and `none`
+    Column<std::uint32_t> numbers;  ///< numbers of the rays in their batch
     Column<std::uint32_t> traits_and_times;
 
-    /// Adds a ray to a packet that was empty before the first was added. `direction`: the ray's as
-    /// a RayQuery has it.
+    /// Adds a ray to a packet that was empty before the first was added. `direction` is that of its
+    /// RayQuery.
     void add(std::size_t number, const Ray& ray, const Vec3& direction) {
         if (count == 0) use_own();
         const std::size_t i = count++;
@@ -48,8 +48,8 @@ class RayPacket {
         traits_and_times[i] = ray.traits_and_time;
     }
 
-    /// Sets the packet to common rays of the same dominant axis, of which the first has that
-    /// number. `columns`, which are those of `all`, must outlive the packet's use.
+    /// Sets the packet to common rays of the same dominant axis, numbered from `first` on.
+    /// `columns` are those of `all` and must outlive the packet's use.
     void set(std::size_t first, std::span<const Ray> all, const RayColumns& columns) {
         set(first, columns);
         for (std::size_t i = 0; i < count; ++i) {
@@ -69,7 +69,7 @@ class RayPacket {
         for (std::size_t i = 0; i < count; ++i) traits_and_times[i] = all.traits_and_time(i);
     }
 
-    /// Removes the rays that have hit something, and tells the number of each.
+    /// Removes the rays that have hit something and calls tell(number) for each.
     template <class Tell>
     void remove_hit(const Tell& tell) {
         for (std::size_t i = count; i-- > 0;) {
@@ -84,7 +84,7 @@ class RayPacket {
         return {ts[i], p == none ? no_index : static_cast<std::uint32_t>(p)};
     }
 
-    /// A ray as it was asked for, but that it ends at its nearest hit.
+    /// Returns a ray with its tmax at its nearest hit.
     Ray ray(std::size_t i) const {
         Ray ray{origins[i], directions[i], tmins[i], ts[i]};
         ray.exclude = static_cast<std::uint32_t>(excludes[i]);
@@ -120,7 +120,7 @@ class RayPacket {
         use_own();
     }
 
-    /// Removes a ray; the last takes its place.
+    /// Removes a ray; the last one takes its place.
     void remove(std::size_t i) {
         take_columns();
         const std::size_t last = --count;

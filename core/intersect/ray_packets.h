@@ -11,24 +11,13 @@ namespace etalon {
 
 namespace detail {
 
-/// Whether all rays are common ones of the same dominant axis, as nearly all neighbours are.
-inline bool are_alike(const RayColumns& rays) {
-    std::uint64_t common = ~std::uint64_t{0}, differences = 0;
-    for (std::size_t i = 0; i < rays.count; ++i) {
-        common &= rays.common[i];
-        differences |= rays.dominants[i] ^ rays.dominants[0];
-    }
-    return common != 0 && differences == 0;
-}
-
-/// Adds the rays, of which the first has that number, to the packets of their dominant axes, but
-/// for those of extreme directions, for which it calls alone(number), and those that can hit
-/// nothing.
+/// Adds the rays, numbered from `first` on, to the packets of their dominant axes. For rays of
+/// extreme directions it calls alone(number) instead. Rays that cannot hit anything are left out.
 template <class Rays, class Alone>
 void sort_into(std::array<RayPacket, 3>& packets, std::size_t first, const Rays& rays,
                const RayColumns& columns, const Alone& alone) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const Ray& ray = rays[i];  // of a stream, a copy that lives as long
+        const Ray& ray = rays[i];  // a stream returns a copy, whose lifetime is extended
         if (columns.common[i] != 0) {
             packets[columns.dominants[i]].add(first + i, ray, ray.direction);
         } else if (is_valid(ray) && has_extreme_direction(ray)) {
@@ -42,9 +31,9 @@ void sort_into(std::array<RayPacket, 3>& packets, std::size_t first, const Rays&
 
 }  // namespace detail
 
-/// Calls visit(packet) for all rays, a span or a stream, that can hit anything, neighbours of one
-/// dominant axis together; a packet is for visit() to change. Calls alone(number) for rays of
-/// extreme directions: see RescaledRay.
+/// Calls visit(packet) for packets of all rays that can hit anything; adjacent rays of one dominant
+/// axis share a packet, which visit() may change. Calls alone(number) for rays of extreme
+/// directions: see RescaledRay. `rays` is a span or a stream.
 template <class Rays, class Visit, class Alone>
 void for_each_packet(const Rays& rays, const Visit& visit, const Alone& alone) {
     std::array<RayPacket, 3> packets;
@@ -52,7 +41,7 @@ void for_each_packet(const Rays& rays, const Visit& visit, const Alone& alone) {
     for (std::size_t first = 0; first < rays.size(); first += RayColumns::most) {
         const Rays chunk = rays.subspan(first, std::min(RayColumns::most, rays.size() - first));
         const RayColumns columns(chunk);
-        if (detail::are_alike(columns)) {
+        if (columns.are_alike) {
             RayPacket& packet = packets[columns.dominants[0]];
             packet.set(first, chunk, columns);
             visit(packet);

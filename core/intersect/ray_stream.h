@@ -5,8 +5,7 @@
 
 namespace etalon {
 
-/// Rays that begin at t = 0, with their components apart: a view. What is the same for all is said
-/// once.
+/// A view of rays with tmin 0 as a structure of arrays. Values that all rays share are stored once.
 struct RayStream {
     std::size_t size() const { return count; }
     bool empty() const { return count == 0; }
@@ -38,12 +37,12 @@ struct RayStream {
     std::size_t count = 0;
     Vec3Span origins, directions;        ///< padded
     const double* excludes;              ///< see Ray::exclude; padded
-    const ShutterTime* times = nullptr;  ///< null: all see the scene when the shutter opens
+    const ShutterTime* times = nullptr;  ///< null: all at the time when the shutter opens
     double tmax = infinity;
     std::uint32_t traits = 0;  ///< see Ray::traits_and_time, without the time
 };
 
-/// The columns of such rays.
+/// Storage for the columns of a RayStream.
 struct RayBuffer {
     void make_room(std::size_t count) {
         origins.make_room(count);
@@ -57,7 +56,7 @@ struct RayBuffer {
         excludes[i] = ray.exclude;
     }
 
-    /// The first `count` of them.
+    /// Returns a view of the first `count` rays.
     RayStream view(std::size_t count) const {
         return {count, origins.span(), directions.span(), excludes.data()};
     }

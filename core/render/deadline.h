@@ -16,9 +16,11 @@ class Deadline {
 
     /// Returns the fraction of the time that has passed, in [0, 1]; always 0 without a limit.
     double elapsed_fraction() const {
-        if (seconds_ <= 0) return 0;
+        if (!is_limited()) return 0;
         return std::min((clock_() - start_) / seconds_, 1.0);
     }
+
+    bool is_limited() const { return seconds_ > 0; }
 
     bool is_over() const { return elapsed_fraction() >= 1; }
 

@@ -122,7 +122,17 @@ class Renderer {
             return std::make_unique<AdaptivePasses>(film_, settings_, last);
         }
         return std::make_unique<UniformPasses>(last - first, film_.samples().size(),
-                                               control_.deadline, film_.rates());
+                                               control_.deadline, film_.rates(), least_of_pass());
+    }
+
+    /// Returns how many samples of all pixels are worth a pass. Each pass has its costs, so they
+    /// are some seconds' samples if no one can see, or depends on, the image between passes.
+    std::uint64_t least_of_pass() const {
+        constexpr std::uint64_t some_seconds = 1 << 22;
+        const bool is_watched =
+            errors_ || control_.dealer != nullptr || control_.deadline.is_limited() ||
+            is_observed(&RenderObserver::after_tile) || is_observed(&RenderObserver::after_pass);
+        return is_watched ? 0 : some_seconds;
     }
 
     Rendering finished(const SamplingPasses& passes) {

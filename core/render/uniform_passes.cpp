@@ -13,7 +13,9 @@ std::uint32_t UniformPasses::affordable() const {
 }
 
 std::optional<SamplingGoal> UniformPasses::next(const Film&) {
-    const std::uint32_t next = goal_ == 0 ? 1 : std::min({2 * goal_, samples_, affordable()});
+    const auto least = static_cast<std::uint32_t>(goal_ + least_of_one_);
+    const std::uint32_t next =
+        goal_ == 0 ? 1 : std::min({std::max(2 * goal_, least), samples_, affordable()});
     if (next <= goal_) return std::nullopt;
     goal_ = next;
     return goal();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <numeric>
 
 #include "core/render/deadline.h"
@@ -9,15 +10,18 @@
 namespace etalon {
 
 /// Takes the same number of samples for every pixel, times the pixel's rate. The number is doubled
-/// from pass to pass, so that the samples are well distributed at any time. The last pass before a
-/// deadline is as large as the time allows.
+/// from pass to pass, or more than doubled if that makes a pass of a few samples only, so that the
+/// samples are well distributed at any time. The last pass before a deadline is as large as the
+/// time allows.
 class UniformPasses : public SamplingPasses {
   public:
-    /// Plans `samples` samples of each of `pixels` pixels, at least 1, times their `rates`.
+    /// Plans `samples` samples of each of `pixels` pixels, at least 1, times their `rates`. Between
+    /// the first pass and the last, passes have at least about `least` samples of all pixels.
     UniformPasses(std::uint32_t samples, std::size_t pixels, const Deadline& deadline,
-                  SampleRates rates = {})
+                  SampleRates rates = {}, std::uint64_t least = 0)
         : samples_(samples),
           samples_of_one_(rates.empty() ? pixels : std::reduce(rates.begin(), rates.end(), 0ULL)),
+          least_of_one_(std::min<std::uint64_t>(least / samples_of_one_, samples)),
           rates_(std::move(rates)),
           deadline_(deadline) {}
 
@@ -38,6 +42,7 @@ class UniformPasses : public SamplingPasses {
     std::uint32_t samples_, goal_ = 0;
     std::uint32_t goal_before_ = 0;  ///< goal when the deadline's time began
     std::uint64_t samples_of_one_;   ///< samples of all pixels if a pixel of rate 1 has one
+    std::uint64_t least_of_one_;     ///< samples that a pass adds at least to a pixel of rate 1
     SampleRates rates_;
     const Deadline& deadline_;
 };

@@ -45,7 +45,7 @@ struct ProjectiveCamera {
 
 /// A pinhole or thin-lens camera. The view plane passes through `at`.
 struct Camera {
-    Vec3 eye, at, up;
+    Vec3 eye{0, 0, 0}, at{0, 0, -1}, up{0, 1, 0};
     double fov_degrees = 45;   ///< full vertical field of view
     double aperture = 0;       ///< lens diameter in pixel heights on the view plane; 0 is a pinhole
     double focal = 1;          ///< distance of the plane in focus, in units of |at - eye|

@@ -8,14 +8,14 @@
 namespace etalon {
 namespace {
 
-/// A place on a face: s to the right and t upwards, both in [0, 1].
+/// A point on a face: s to the right and t upwards, both in [0, 1].
 struct FacePoint {
     std::size_t face;
     double s, t;
 };
 
-/// The faces in the order of Skybox::faces: right is -X, left +X, top +Y, bottom -Y, front +Z,
-/// back -Z, each as seen from inside.
+/// Returns where a direction meets the cube. Faces are in the order of Skybox::faces: right is -X,
+/// left +X, top +Y, bottom -Y, front +Z, back -Z, each as seen from inside.
 FacePoint face_point(const Vec3& d) {
     const Vec3 a = abs(d);
     const auto at = [](std::size_t face, double s, double t, double major) {
@@ -32,7 +32,8 @@ Color nearest_texel(const Image& image, const FacePoint& p) {
     return image.color(x, image.height - 1 - y);
 }
 
-/// Interpolates texels, sampled at their centres; beyond the outermost the edge's colour holds.
+/// Interpolates texels, which are sampled at their centres; beyond the outermost centres the edge
+/// texel is repeated.
 Color bilinear(const Image& image, const FacePoint& p) {
     const double x = std::clamp(p.s * image.width - 0.5, 0.0, image.width - 1.0);
     const double y = std::clamp((1 - p.t) * image.height - 0.5, 0.0, image.height - 1.0);
@@ -46,7 +47,7 @@ Color bilinear(const Image& image, const FacePoint& p) {
     });
 }
 
-/// The image of a face whose file cannot be read.
+/// Returns an image of one colour, for a face whose file cannot be read.
 Image image_of_color(const Color& c) {
     return {1, 1, 3, std::vector<float>{c.x, c.y, c.z}, Encoding::linear, {}};
 }
@@ -71,6 +72,17 @@ Color EnvironmentMap::radiance(const Vec3& direction) const {
     const FacePoint p = face_point(direction);
     const Image& face = faces_[p.face].get();
     return environment_.skybox->nearest ? nearest_texel(face, p) : bilinear(face, p);
+}
+
+void EnvironmentMap::set_radiance(const Vec3Span& directions, std::span<const Hit> hits,
+                                  std::span<Color> colors) const {
+    if (!has_skybox_) {
+        std::ranges::fill(colors, environment_.background);
+        return;
+    }
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        if (hits[i].primitive == no_index) colors[i] = radiance(directions[i]);
+    }
 }
 
 std::vector<std::string> EnvironmentMap::late_problems() const {

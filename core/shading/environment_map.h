@@ -1,25 +1,34 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/image/lazy_image.h"
+#include "core/intersect/ray.h"
+#include "core/numerics/vec_columns.h"
 #include "core/scene/environment.h"
 
 namespace etalon {
 
-/// Environment ready for lookups by rays that leave the scene. An image of a skybox is read when a
-/// ray first meets its face.
+/// Radiance of rays that miss the scene. An image of a skybox is read when a ray first meets its
+/// face.
 class EnvironmentMap {
   public:
-    /// A skybox with an image that is missing, or is not one by its header, is replaced by the
-    /// background; `problems` gets the reasons.
+    /// If an image of the skybox is missing or its header is invalid, the background colour
+    /// replaces the skybox; `problems` gets the reasons.
     EnvironmentMap(const Environment& environment, std::vector<std::string>& problems);
 
     Color radiance(const Vec3& direction) const;
 
-    /// Why faces met so far have the background's colour: their files are damaged after the header.
+    /// Sets the colours of the rays that have not hit anything; others too, where that is less
+    /// work.
+    void set_radiance(const Vec3Span& directions, std::span<const Hit> hits,
+                      std::span<Color> colors) const;
+
+    /// Returns why faces met so far have the background's colour: their files are damaged after the
+    /// header.
     std::vector<std::string> late_problems() const;
 
   private:

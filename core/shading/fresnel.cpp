@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// The cosine beyond the border, or total reflection.
+/// Returns the cosine of the refracted direction, or total reflection.
 FresnelTerms snell(double eta, double cos_incident) {
     const double sin2 = eta * eta * (1 - cos_incident * cos_incident);
     if (sin2 >= 1) return {1, 0, true};

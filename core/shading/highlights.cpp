@@ -36,7 +36,7 @@ float highlight_at(const Material& material, const SeenSurfaces& surfaces, const
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Numbers of the surfaces of some shadow rays, ascending; the last one again in lanes beyond them.
+/// Numbers of the surfaces of some shadow rays, ascending; unused lanes repeat the last one.
 struct SurfaceNumbers {
     SurfaceNumbers(const ShadowRays& shadow, std::size_t first, std::size_t last) {
         const std::size_t end = std::min(last - first, lanes) - 1;
@@ -59,14 +59,14 @@ struct SurfaceNumbers {
     bool are_consecutive;
 };
 
-/// The steps of highlight_cosine().
+/// Computes highlight_cosine() for several rays with the same operations.
 HWY_INLINE Doubles highlight_cosines(Highlight model, const Vec3Lanes& direction,
                                      const Vec3Lanes& normal, const Vec3Lanes& towards) {
     if (model == Highlight::blinn) return normal.dot(normalized(towards - direction));
     return (direction - (broadcast(2) * direction.dot(normal)) * normal).dot(towards);
 }
 
-/// Sets as many values as vectors have lanes. Returns a bit for each of which it is not certain.
+/// Sets as many values as vectors have lanes. Returns a mask of those that are uncertain.
 std::uint32_t set_highlights(const Material& material, const SeenSurfaces& surfaces,
                              const ShadowRays& shadow, std::size_t first, std::size_t last,
                              PaddedColumn<float>& values) {

@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// Fewer hits on a primitive than this are not worth a run.
+/// Least number of hits on a primitive that form a run: fewer are not worth one.
 constexpr std::uint32_t least_run = 4;
 
 }  // namespace

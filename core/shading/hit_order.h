@@ -9,35 +9,35 @@
 
 namespace etalon {
 
-/// Numbers of some rays: from `first` to before `last` in an order.
+/// Rays that hit one primitive: the positions [first, last) of a HitOrder.
 struct HitRun {
     std::uint32_t first, last;
     std::uint32_t primitive;
 };
 
-/// An order of the rays of a batch that hit something: those that hit the same primitive are
-/// neighbours, as far as is worth while.
+/// An order of the rays of a batch that hit something. Rays that hit the same primitive are mostly
+/// adjacent, so that vector instructions can shade them together.
 class HitOrder {
   public:
     /// Finds the order of a batch.
     void find(std::span<const Hit> hits);
 
-    /// All rays that hit something; padded with numbers of some.
+    /// The rays that hit something, in this order; padded with valid ray numbers.
     std::vector<std::uint32_t> rays;
-    /// Rays that hit one primitive, those of no instance. They come first in the order, one run
-    /// after another.
+    /// Runs of rays that hit one primitive outside of instances. They are adjacent and come first
+    /// in the order.
     std::vector<HitRun> runs;
     std::size_t in_runs = 0;  ///< number of rays in runs
-    std::size_t size = 0;     ///< of the order
+    std::size_t size = 0;     ///< number of rays in the order
 
   private:
-    /// Neighbours that have hit the same primitive: all from `first` to before `last`.
+    /// Consecutive rays of the batch that hit the same primitive: those in [first, last).
     struct Neighbours {
         std::uint32_t first, last;
-        std::uint32_t next;  ///< number of those that have hit it after them
+        std::uint32_t next;  ///< index of the next such rays on the primitive
     };
 
-    /// All that have hit a primitive, as a list of such.
+    /// Linked list of all rays that hit one primitive.
     struct PrimitiveHits {
         std::uint32_t primitive = no_index;
         std::uint32_t count = 0;
@@ -48,7 +48,8 @@ class HitOrder {
     std::size_t append(const Neighbours& some, std::size_t at);
     std::size_t append(const PrimitiveHits& list, std::size_t at);
 
-    /// A list for each of as many primitives. Of those with the same place in it, one has it.
+    /// Hash table of lists. Of primitives with the same hash only the first has a list; the rays of
+    /// the rest go to `others_`.
     std::array<PrimitiveHits, 128> table_;
     std::vector<Neighbours> neighbours_, others_;
 };

@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Some surfaces of a chunk.
+/// As many surfaces of a chunk as vectors have lanes.
 struct LeftSurfaces {
     Vec3Lanes direction, position, error, normal, near_normal;
     Doubles outward_exclude, inward_exclude;
@@ -31,26 +31,26 @@ HWY_INLINE Doubles clamped_to_one(Doubles x) {
     return hn::IfThenElse(x < zero, zero, hn::IfThenElse(one < x, one, x));
 }
 
-/// The steps of spawn_ray(), or those of a fixed bias.
-HWY_INLINE void store_way(const LeftSurfaces& s, const Vec3Lanes& direction, double bias,
-                          std::size_t i, LeavingRays::Way& way) {
+/// Spawns rays by the steps of spawn_ray(), or with a fixed bias, and stores them.
+HWY_INLINE void store_rays(const LeftSurfaces& s, const Vec3Lanes& direction, double bias,
+                           std::size_t i, LeavingRays::SpawnedRays& rays) {
     const DoubleTag tag;
     const Doubles zero = broadcast(0), one = broadcast(1);
-    store(direction, way.directions.span(), i);
+    store(direction, rays.directions.span(), i);
     if (bias != 0) {
-        store(s.position + broadcast(bias) * s.near_normal, way.origins.span(), i);
-        hn::StoreU(broadcast(no_index), tag, &way.excludes[i]);
+        store(s.position + broadcast(bias) * s.near_normal, rays.origins.span(), i);
+        hn::StoreU(broadcast(no_index), tag, &rays.excludes[i]);
         return;
     }
     const Doubles outward = s.normal.dot(direction);
     const Doubles side = hn::IfThenElse(outward < zero, hn::Neg(one), one);
     const Vec3Lanes offset = (side * abs(s.normal).dot(s.error)) * s.normal;
-    store(next_towards(s.position + offset, offset), way.origins.span(), i);
+    store(next_towards(s.position + offset, offset), rays.origins.span(), i);
     hn::StoreU(hn::IfThenElse(outward > zero, s.outward_exclude, s.inward_exclude), tag,
-               &way.excludes[i]);
+               &rays.excludes[i]);
 }
 
-/// See fresnel_dielectric().
+/// Computes fresnel_dielectric().reflectance with the same operations.
 HWY_INLINE Doubles dielectric(Doubles eta, Doubles cosine, Doubles refracted) {
     const Doubles ci = eta * cosine, ct = eta * refracted;
     const Doubles perpendicular = (ci - refracted) / (ci + refracted);
@@ -77,7 +77,7 @@ void make_leaving(const SeenSurfaces& from, double bias, LeavingRays::Chunk& c) 
         const Vec3Lanes shading = load(from.shading_normals.span(), number);
         const Vec3Lanes normal = chosen(d.dot(shading) < zero, shading, near_normal);
         const Doubles along = d.dot(normal), cosine = clamped_to_one(hn::Neg(along));
-        store_way(s, normalized(d - (broadcast(2) * along) * normal), bias, i, c.mirrored);
+        store_rays(s, normalized(d - (broadcast(2) * along) * normal), bias, i, c.mirrored);
         hn::StoreU(cosine, tag, &c.cosines[i]);
         if (hn::AllFalse(tag, leave > one)) continue;
 
@@ -88,19 +88,20 @@ void make_leaving(const SeenSurfaces& from, double bias, LeavingRays::Chunk& c) 
         hn::StoreU(hn::IfThenElse(total, one, dielectric(eta, cosine, refracted)), tag,
                    &c.reflectances[i]);
         hn::StoreU(hn::IfThenElse(total, one, zero), tag, &c.total[i]);
-        store_way(s, normalized(eta * d + (eta * cosine - refracted) * normal), -bias, i,
-                  c.refracted);
+        store_rays(s, normalized(eta * d + (eta * cosine - refracted) * normal), -bias, i,
+                   c.refracted);
     }
 }
 
-void put(const LeavingRays::Way& way, LeavingRays::Choice choice, RayBuffer& to, std::size_t at) {
+void put(const LeavingRays::SpawnedRays& rays, LeavingRays::Choice choice, RayBuffer& to,
+         std::size_t at) {
     const DoubleTag tag;
     for (std::size_t i = 0; choice != 0; i += hn::Lanes(tag), choice >>= hn::Lanes(tag)) {
         const ChosenLanes those(
             hn::LoadMaskBits(tag, reinterpret_cast<const std::uint8_t*>(&choice)));
-        those.store(load(way.origins.span(), i), to.origins.span(), at);
-        those.store(load(way.directions.span(), i), to.directions.span(), at);
-        those.store(hn::LoadU(tag, &way.excludes[i]), &to.excludes[at]);
+        those.store(load(rays.origins.span(), i), to.origins.span(), at);
+        those.store(load(rays.directions.span(), i), to.directions.span(), at);
+        those.store(hn::LoadU(tag, &rays.excludes[i]), &to.excludes[at]);
         at += those.count();
     }
 }

@@ -8,57 +8,60 @@
 
 namespace etalon {
 
-/// How rays leave surfaces.
+/// Rules by which rays leave surfaces.
 struct LeavingRules {
     bool schlick;       ///< see fresnel_schlick()
-    double fixed_bias;  ///< other than 0: how far from the surface along its normal they start
+    double fixed_bias;  ///< if not 0: distance of the origins from the surface along its normal
 };
 
-/// The rays that mirrors and glass send on from surfaces, made several at a time.
+/// The rays mirrored and refracted by surfaces, computed several at a time.
 class LeavingRays {
   public:
     static constexpr std::size_t most = 64;
 
-    /// Some surfaces of a chunk, a bit for each, from the lowest on.
+    /// A set of surfaces of a chunk: the lowest bit is the first surface.
     using Choice = std::uint64_t;
 
-    /// A way on, by mirror or through glass.
-    struct Way {
+    /// Rays of one kind, mirrored or refracted, one for each surface of the chunk.
+    struct SpawnedRays {
         Vec3Columns<most> origins, directions;
         std::array<double, most> excludes;
     };
 
-    /// What rays do at surfaces from number `first` on.
+    /// The rays that leave the surfaces from number `first` on.
     struct Chunk {
         std::size_t first, count;
-        Choice leave;                   ///< where a ray leaves
-        std::array<double, most> etas;  ///< n_here / n_beyond, there
+        Choice leave;                   ///< surfaces that a ray leaves
+        std::array<double, most> etas;  ///< indices of refraction, incident / other side
 
         std::array<double, most> cosines, reflectances, total;  ///< total: 1 or 0
-        Way mirrored, refracted;
+        SpawnedRays mirrored, refracted;
     };
 
-    /// `surfaces` must outlive the rays, and have a material each.
+    /// `surfaces` must outlive the object; each must have a material.
     LeavingRays(const SeenSurfaces& surfaces, const LeavingRules& rules)
         : surfaces_(surfaces), rules_(rules) {}
 
-    /// Makes the rays of the surfaces from number `first` on, at most `most`. Returns their number.
+    /// Computes the rays of the surfaces from number `first` on, at most `most` of them. Returns
+    /// the number of surfaces.
     std::size_t make(std::size_t first);
 
-    /// The surfaces of the chunk that send rays on.
-    Choice senders() const { return chunk_.leave; }
+    /// Returns the surfaces of the chunk that are mirrors or glass.
+    Choice active() const { return chunk_.leave; }
 
-    /// The border at surface number first + i, where it is one of glass.
+    /// Fresnel reflectance, and whether reflection is total, at surface number first + i. Valid
+    /// where it is glass.
     double reflectance(std::size_t i) const { return chunk_.reflectances[i]; }
     bool is_total(std::size_t i) const { return chunk_.total[i] != 0; }
 
-    /// Whether a ray through the surface runs behind it.
+    /// Returns whether the ray that hit surface number first + i came from in front of it.
     bool enters(std::size_t i) const { return surfaces_.entering(chunk_.first + i); }
 
-    /// Writes the chosen rays to a buffer, from number `at` on, which has room for them.
+    /// Writes the mirrored rays of the chosen surfaces to a buffer, which must have room for them,
+    /// from number `at` on.
     void put_mirrored(Choice choice, RayBuffer& to, std::size_t at) const;
 
-    /// The same of the others. Nothing is to be chosen where the reflection is total.
+    /// The same for the refracted rays. A surface with total reflection must not be chosen.
     void put_refracted(Choice choice, RayBuffer& to, std::size_t at) const;
 
   private:

@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// The columns of the most nearly square grid of exactly `count` points.
+/// Returns the number of columns of the most nearly square grid of exactly `count` points.
 int grid_columns(int count) {
     int columns = static_cast<int>(std::sqrt(static_cast<double>(count)));
     while (count % columns != 0) --columns;

@@ -5,23 +5,23 @@
 
 namespace etalon {
 
-/// A light seen as so many point lights, each with its share of the colour.
+/// A light replaced by count() point lights, each with its share of the colour.
 class LightSamples {
   public:
-    /// samples_per_pixel 0 asks for a deterministic image: a quad light is a regular grid of its
-    /// own number of points. Otherwise its number is spread over the pixel's samples.
+    /// With samples_per_pixel 0 the image is deterministic: a quad light is a regular grid of its
+    /// own number of points. Otherwise its points are distributed over the pixel's samples.
     LightSamples(const Light& light, int samples_per_pixel);
 
     int count() const { return count_; }
     const Color& color() const { return color_; }
 
-    /// Whether the points are taken from the pixel's samples.
+    /// Returns whether the points are chosen by the pixel's samples.
     bool is_random() const { return is_random_; }
 
-    /// Position of point `k` < count(), unless random.
+    /// Returns the position of point `k` < count(). Not for random points.
     Vec3 position(int k) const;
 
-    /// Position of the point for uv in [0, 1)^2, if random.
+    /// Returns the position of the random point for uv in [0, 1)^2.
     Vec3 position(const Vec2& uv) const;
 
   private:

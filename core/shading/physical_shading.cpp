@@ -7,7 +7,7 @@
 namespace etalon {
 namespace {
 
-/// Whether a lobe scatters differently along x and y.
+/// Returns whether a lobe scatters differently along x and y.
 bool is_anisotropic(const Lobe& lobe) {
     return visit_lobe(
         [](const auto& kind) {
@@ -30,7 +30,7 @@ PhysicalShading::PhysicalShading(const Scene& scene, std::vector<std::string>& p
     : scene_(scene),
       textures_(scene.physical().textures, problems),
       tables_(scene.physical().materials),
-      has_passages_(std::ranges::any_of(scene.physical().materials, is_none)) {
+      has_null_materials_(std::ranges::any_of(scene.physical().materials, is_none)) {
     for (const PhysicalMaterial& m : scene.physical().materials) traits_.push_back(traits_of(m));
 }
 
@@ -59,7 +59,7 @@ std::uint32_t PhysicalShading::material_below(const PhysicalSurface& at) const {
     return static_cast<std::uint32_t>(&shape_giving(all[at.binding->material], all) - all.data());
 }
 
-bool PhysicalShading::is_passed(const PhysicalSurface& at) const {
+bool PhysicalShading::has_null_material(const PhysicalSurface& at) const {
     return is_none(scene_.physical().materials[at.binding->material]);
 }
 

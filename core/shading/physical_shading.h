@@ -10,46 +10,48 @@
 
 namespace etalon {
 
-/// Scattering at the surfaces of a scene of a physical look: its materials with its textures.
+/// Evaluates the physical materials of a scene, with their textures, at points of its surfaces.
 class PhysicalShading {
   public:
-    /// `scene` must outlive it. `problems` gets the reasons why images are replaced by constants.
+    /// `scene` must outlive the object. For each image that cannot be read and is replaced by a
+    /// constant, `problems` gets the reason.
     PhysicalShading(const Scene& scene, std::vector<std::string>& problems);
 
-    /// Whether any surface lets shadow rays pass because it has no material.
-    bool has_passages() const { return has_passages_; }
+    /// Returns whether the scene has a null material, through which rays pass unchanged.
+    bool has_null_materials() const { return has_null_materials_; }
 
-    /// Whether the surface is none: a ray passes.
-    bool is_passed(const PhysicalSurface& at) const;
+    /// Returns whether a surface has the null material.
+    bool has_null_material(const PhysicalSurface& at) const;
 
-    /// What scatters at a point.
+    /// The BSDF at a point: its lobes and the frame in which they are given.
     struct Scattering {
         BsdfFrame frame;
         const LobeList& lobes;
     };
-    /// `room` takes lobes that are not those of all points of the surface, and must outlive what is
-    /// returned.
+    /// Returns the BSDF at a point. Lobes that differ from point to point are stored in `room`,
+    /// which must outlive the result.
     Scattering scattering(const PhysicalSurface& at, std::optional<LobeList>& room) const;
 
-    /// What scatters light below the surface where it goes through at a point; null: nothing does.
-    /// `room` is as above.
+    /// Returns the subsurface scattering at a point, or null if the material has none. `room` is as
+    /// above.
     const Subsurface* subsurface(const PhysicalSurface& at, std::optional<Subsurface>& room) const {
         const Traits& traits = traits_[at.binding->material];
         if (!traits.may_scatter_below) return nullptr;
         return traits.subsurface ? &*traits.subsurface : textured_subsurface(at, room);
     }
 
-    /// Whether that is the same at all points of its surfaces, and stays where it is.
-    bool is_lasting(const PhysicalSurface& at) const {
+    /// Returns whether subsurface() of the material is the same at all points; then the pointer
+    /// stays valid.
+    bool has_constant_subsurface(const PhysicalSurface& at) const {
         return traits_[at.binding->material].subsurface.has_value();
     }
 
-    /// Number of the material whose surfaces bound what is below a surface: of a mix, that of its
-    /// first part, as in pbrt-v3.
+    /// Returns the number of the material whose surfaces bound the medium below a surface: for a
+    /// mix, that of its first part, as in pbrt-v3.
     std::uint32_t material_below(const PhysicalSurface& at) const;
 
   private:
-    /// What can be said of a material without a point.
+    /// Properties of a material that are the same at all points.
     struct Traits {
         std::optional<LobeList> lobes;  ///< if the same everywhere
         bool needs_coordinates;
@@ -64,7 +66,7 @@ class PhysicalShading {
     const Scene& scene_;
     TextureValues textures_;
     DiffusionTables tables_;
-    bool has_passages_;
+    bool has_null_materials_;
     std::vector<Traits> traits_;  ///< of each material
 };
 

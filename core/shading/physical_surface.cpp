@@ -16,8 +16,8 @@ PhysicalSurface physical_surface(const Scene& scene, const Ray& ray, const Hit& 
 
 namespace {
 
-/// Replaces the coordinates (0, 0), (1, 0), (1, 1) of a triangle's corners by those of the mesh.
-/// Coordinates that do not span the triangle leave its own tangents.
+/// Replaces the coordinates (0, 0), (1, 0), (1, 1) of a triangle's corners by those of the mesh. If
+/// the mesh's coordinates are degenerate, the triangle keeps its own tangents.
 Parametrization with_coordinates(const std::array<std::array<float, 2>, 3>& corners,
                                  const Parametrization& own) {
     const auto at = [&](std::size_t k) { return Vec2(corners[k][0], corners[k][1]); };

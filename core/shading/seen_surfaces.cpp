@@ -19,7 +19,7 @@
 #define ETALON_SEEN_SURFACES_ONCE
 namespace etalon {
 
-/// What is known of surfaces, and where what it means for the rays goes.
+/// Input and output of orient().
 struct OrientedColumns {
     Vec3Span directions, normals;
     MutableVec3Span shading_normals;
@@ -37,7 +37,7 @@ HWY_INLINE Vec3Lanes negated_unless(DoubleMask mask, const Vec3Lanes& v) {
             hn::IfThenElse(mask, v.z, hn::Neg(v.z))};
 }
 
-/// The steps of surface_interaction().
+/// Turns normals to the ray's side by the steps of surface_interaction().
 void orient(const OrientedColumns& c, std::size_t count) {
     const DoubleTag tag;
     const Doubles zero = broadcast(0);
@@ -110,7 +110,7 @@ void SeenSurfaces::add(const SurfaceInteraction& at, const Vec3& direction, std:
     set(i, at);
 }
 
-/// Adds what surfaces on one primitive have in common.
+/// Adds the entries that are equal for all surfaces on one primitive.
 void SeenSurfaces::add_traits(const SurfaceInteraction& any,
                               std::span<const std::uint32_t> numbers) {
     const double primitive = any.surface.primitive, none = no_index;
@@ -139,7 +139,7 @@ void SeenSurfaces::set(std::size_t i, const SurfaceInteraction& at) {
     fronts[i] = at.entering ? 1.0 : -1.0;
 }
 
-/// Adds where rays have hit one primitive: at most SurfaceGroup::most of them.
+/// Adds the surfaces where rays have hit one primitive: at most SurfaceGroup::most rays.
 void SeenSurfaces::add_run(const Scene& scene, const RayStream& rays, std::span<const Hit> hits,
                            std::span<const std::uint32_t> run) {
     const auto interaction = [&](std::uint32_t i) {

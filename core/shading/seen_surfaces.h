@@ -9,45 +9,45 @@
 
 namespace etalon {
 
-/// Surfaces seen from where rays came, with their components apart, so that several can be looked
-/// at at once: see SurfaceInteraction. To be found again and again.
+/// Surface interactions of a batch of rays as a structure of arrays, so that vector instructions
+/// process several at once: see SurfaceInteraction. Reused from batch to batch.
 class SeenSurfaces {
   public:
-    /// What of a surface is not calculated with.
+    /// Data of a surface that needs no vector instructions.
     struct Traits {
         std::uint32_t ray;  ///< its number in the batch
         const Material* material;
     };
 
-    /// Consecutive surfaces of one material: those from number `first` to before `last`.
+    /// Consecutive surfaces of one material: those in [first, last).
     struct MaterialRun {
         const Material* material;
         std::size_t first, last;
     };
 
-    /// Makes room for so many surfaces, of which there are none yet.
+    /// Removes all surfaces and makes room for `most` of them.
     void reset(std::size_t most);
 
-    /// Finds the surfaces at those of `hits` where rays have met one: in whatever order.
+    /// Finds the surfaces at the hits, in any order. Misses are left out.
     void find(const Scene& scene, const RayStream& rays, std::span<const Hit> hits);
 
-    /// Adds a surface, seen by ray number `ray`, which has that direction.
+    /// Adds a surface hit by ray number `ray`, which has that direction.
     void add(const SurfaceInteraction& at, const Vec3& direction, std::uint32_t ray);
 
     std::size_t size() const { return traits.size(); }
 
     bool entering(std::size_t i) const { return fronts[i] > 0; }
 
-    /// Padded, of any value there.
-    Vec3Buffer directions;  ///< of the rays
+    /// One entry for each surface; padded with arbitrary values.
+    Vec3Buffer directions;  ///< directions of the rays
     Vec3Buffer positions, errors, normals, shading_normals;
     PaddedColumn<double> fronts;    ///< 1 where the normal is on the ray's side, else -1
-    PaddedColumn<double> scatters;  ///< 1 where light is sent back, else 0
-    PaddedColumn<double> sends_on;  ///< 0 where no ray is sent on, 1 by a mirror, 2 by glass
-    /// See Ray::exclude, of rays that leave on the side of the normal, and on the other.
+    PaddedColumn<double> scatters;  ///< 1 where the material is diffuse or specular, else 0
+    PaddedColumn<double> sends_on;  ///< 0 for no secondary ray, 1 for a mirror, 2 for glass
+    /// Ray::exclude of rays that leave on the side of the normal, and on the other.
     PaddedColumn<double> outward_excludes, inward_excludes;
     std::vector<Traits> traits;
-    std::vector<MaterialRun> runs;  ///< one after another, of all surfaces
+    std::vector<MaterialRun> runs;  ///< cover all surfaces in order
 
   private:
     void set(std::size_t i, const SurfaceInteraction& at);

@@ -14,7 +14,7 @@
 #define ETALON_SHADOW_RAYS_ONCE
 namespace etalon {
 
-/// Where the columns of ShadowRays begin.
+/// Pointers to the columns of ShadowRays.
 struct ShadowColumns {
     MutableVec3Span origins, directions, towards;
     double *excludes, *cosines;
@@ -37,7 +37,7 @@ struct AimedRays {
     Doubles exclude;
 };
 
-/// The steps of spawn_ray_to(), from surfaces from number i on.
+/// Computes rays by the steps of spawn_ray_to(), for surfaces from number i on.
 HWY_INLINE AimedRays aimed(const SeenSurfaces& from, std::size_t i, const Vec3Lanes& light) {
     const Doubles zero = broadcast(0.0), one = broadcast(1.0);
     const Vec3Lanes position = load(from.positions.span(), i);
@@ -53,7 +53,8 @@ HWY_INLINE AimedRays aimed(const SeenSurfaces& from, std::size_t i, const Vec3La
     return {origin, direction, hn::IfThenElse(moves_away, left, broadcast(no_index))};
 }
 
-/// The same for rays that begin so far from the surface; `facing`: normal . direction.
+/// The same for rays that begin at distance `fixed_bias` from the surface; `facing` is normal .
+/// direction.
 HWY_INLINE AimedRays aimed(const SeenSurfaces& from, std::size_t i, const Vec3Lanes& light,
                            Doubles facing, double fixed_bias) {
     const Doubles bias = broadcast(fixed_bias);
@@ -62,7 +63,7 @@ HWY_INLINE AimedRays aimed(const SeenSurfaces& from, std::size_t i, const Vec3La
     return {origin, light - origin, broadcast(no_index)};
 }
 
-/// Returns how many rays there are.
+/// Computes all rays. Returns their number.
 std::size_t aim(const SeenSurfaces& from, const Vec3Buffer& lights, double fixed_bias,
                 const ShadowColumns& to) {
     const DoubleTag tag;

@@ -7,21 +7,22 @@
 
 namespace etalon {
 
-/// A light's own place is not part of the way to it: what lies within this part of the distance
-/// casts no shadow, so that a light may lie on a surface. Well above the roundings of a double.
+/// tmax of shadow rays, which reach the light at t = 1. It leaves out the last 2^-32 of the
+/// distance, so that a surface on which the light lies casts no shadow. That is well above the
+/// rounding errors of a double.
 inline constexpr double shadow_end = 1 - 0x1p-32;
 
-/// The rays from surfaces to one light, of those that scatter and face it, whether or not anything
-/// is in between: see spawn_ray_to(), whose bits these have. To be aimed again and again.
+/// The rays to one light from those surfaces that scatter and face it, not yet tested for
+/// occlusion. They have the bits of spawn_ray_to(). Reused from batch to batch.
 class ShadowRays {
   public:
-    /// `lights`: a point of the light for each surface. A `fixed_bias` other than 0 is how far from
-    /// the surface along its normal the rays start.
+    /// Computes the rays. `lights` is a point of the light for each surface. A `fixed_bias` other
+    /// than 0 is the distance of the origins from the surface along its normal.
     void aim(const SeenSurfaces& surfaces, const Vec3Buffer& lights, double fixed_bias);
 
     std::size_t size() const { return count_; }
 
-    /// Number of the surface that ray number i leaves; ascending.
+    /// Returns the number of the surface that ray number i leaves. It grows with i.
     std::size_t surface(std::size_t i) const { return static_cast<std::size_t>(surfaces[i]); }
 
     RayStream rays() const {
@@ -30,10 +31,10 @@ class ShadowRays {
         return stream;
     }
 
-    /// Of each ray; padded, of any value there.
+    /// One entry for each ray; padded with arbitrary values.
     PaddedColumn<std::int64_t> surfaces;  ///< number of the surface
     Vec3Buffer towards;                   ///< unit vector to the light
-    PaddedColumn<double> cosines;         ///< product of it with the shading normal
+    PaddedColumn<double> cosines;         ///< its dot product with the shading normal
 
   private:
     RayBuffer rays_;

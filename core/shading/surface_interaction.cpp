@@ -11,8 +11,8 @@ SurfaceInteraction surface_interaction(const Scene& scene, const Ray& ray, const
     at.material = look ? &look->materials[p.material] : nullptr;
     at.entering = ray.direction.dot(p.normal) < 0;
     at.ng = at.entering ? p.normal : -p.normal;
-    // Where an interpolated normal turns away from the ray it is still the surface's other side
-    // that is dark: what decides is the geometric normal alone.
+    // An interpolated normal may point away from the ray. Which side of the surface is lit is then
+    // still decided by the geometric normal alone.
     at.ns = at.ng.dot(p.shading_normal) > 0 ? p.shading_normal : -p.shading_normal;
     return at;
 }

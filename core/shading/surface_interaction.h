@@ -6,10 +6,10 @@
 
 namespace etalon {
 
-/// A hit seen from where the ray came.
+/// A hit with its material, and its normals turned to the side that the ray came from.
 struct SurfaceInteraction {
     SurfacePoint surface;
-    const Material* material;  ///< in the scene's look; null if that is a physical one
+    const Material* material;  ///< null in a scene with physical materials
     bool entering;             ///< the ray came from in front of the surface
     Vec3 ng;                   ///< geometric normal, on the ray's side
     Vec3 ns;                   ///< shading normal, on the same side of the surface as `ng`
@@ -17,8 +17,8 @@ struct SurfaceInteraction {
 
 SurfaceInteraction surface_interaction(const Scene& scene, const Ray& ray, const Hit& hit);
 
-/// Returns (u, v), dpdu and dpdv at the hit. Not stored in it: shading that needs none of them does
-/// not pay for them.
+/// Returns (u, v), dpdu and dpdv at the hit. They are not stored in it, so that shading that needs
+/// none of them does not pay for them.
 Parametrization parametrization(const Scene& scene, const SurfaceInteraction& at);
 
 }  // namespace etalon

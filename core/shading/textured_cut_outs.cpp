@@ -9,37 +9,39 @@
 namespace etalon {
 namespace {
 
-/// Textures of numbers of which some are asked for. One refers to earlier ones alone.
-class AskedTextures {
+/// Collects those float textures that are referenced, directly or by another texture. A texture
+/// refers to earlier ones only.
+class ReferencedTextures {
   public:
-    explicit AskedTextures(const Textures& from) : from_(from), is_asked_(from.numbers.size()) {}
+    explicit ReferencedTextures(const Textures& from)
+        : from_(from), is_marked_(from.numbers.size()) {}
 
-    void ask(const NumberSlot& slot) {
-        if (slot.texture != no_index) is_asked_[slot.texture] = true;
+    void mark(const NumberSlot& slot) {
+        if (slot.texture != no_index) is_marked_[slot.texture] = true;
     }
 
-    /// Returns the textures that are asked for and those that they refer to, at their places.
+    /// Returns the marked textures and those that they refer to, with their indices unchanged.
     Textures find() {
         Textures found{std::vector<Texture<float>>(from_.numbers.size()), {}, from_.images};
         for (std::size_t i = from_.numbers.size(); i-- > 0;) {
-            if (!is_asked_[i]) continue;
+            if (!is_marked_[i]) continue;
             found.numbers[i] = from_.numbers[i];
-            std::visit([&](const auto& texture) { ask_parts(texture); }, from_.numbers[i]);
+            std::visit([&](const auto& texture) { mark_parts(texture); }, from_.numbers[i]);
         }
         return found;
     }
 
   private:
     template <class Kind>
-    void ask_parts(const Kind& texture) {
-        if constexpr (requires { texture.a; }) ask(texture.a), ask(texture.b);
-        if constexpr (requires { texture.amount; }) ask(texture.amount);
-        if constexpr (requires { texture.even; }) ask(texture.even), ask(texture.odd);
-        if constexpr (requires { texture.dot; }) ask(texture.dot), ask(texture.ground);
+    void mark_parts(const Kind& texture) {
+        if constexpr (requires { texture.a; }) mark(texture.a), mark(texture.b);
+        if constexpr (requires { texture.amount; }) mark(texture.amount);
+        if constexpr (requires { texture.even; }) mark(texture.even), mark(texture.odd);
+        if constexpr (requires { texture.dot; }) mark(texture.dot), mark(texture.ground);
     }
 
     const Textures& from_;
-    std::vector<bool> is_asked_;
+    std::vector<bool> is_marked_;
 };
 
 /// Calls visit(slot) for the alphas of all surfaces.
@@ -51,7 +53,7 @@ void for_each_alpha(const PhysicalLook& look, const Visit& visit) {
     }
 }
 
-/// The alphas that are images themselves, at their places.
+/// Returns the alpha textures that are images, with their indices unchanged.
 Textures image_alphas(const PhysicalLook& look) {
     const Textures& all = look.textures;
     Textures found{std::vector<Texture<float>>(all.numbers.size()), {}, all.images};
@@ -65,14 +67,15 @@ Textures image_alphas(const PhysicalLook& look) {
     return found;
 }
 
-/// The alphas that have no mask, and what they are made of, at their places.
+/// Returns the alpha textures without a mask and those that they refer to, with their indices
+/// unchanged.
 template <class Masks>
 Textures other_alphas(const PhysicalLook& look, const Masks& masks) {
-    AskedTextures asked(look.textures);
+    ReferencedTextures referenced(look.textures);
     for_each_alpha(look, [&](const NumberSlot& alpha) {
-        if (alpha.texture != no_index && !masks[alpha.texture]) asked.ask(alpha);
+        if (alpha.texture != no_index && !masks[alpha.texture]) referenced.mark(alpha);
     });
-    return asked.find();
+    return referenced.find();
 }
 
 }  // namespace

@@ -10,11 +10,12 @@
 
 namespace etalon {
 
-/// Holes of the surfaces of a physical look: where an alpha is 0, by the rule of pbrt-v3.
+/// Alpha masks of physical materials: a surface has a hole where its alpha texture is 0, as in
+/// pbrt-v3.
 class TexturedCutOuts : public CutOuts {
   public:
-    /// Reads the images of the textures that alphas show, and keeps nothing of the look. `problems`
-    /// gets the reasons why images are replaced by grey.
+    /// Reads the images of the alpha textures; keeps no reference to `look`. For each image that
+    /// cannot be read and is replaced by grey, `problems` gets the reason.
     TexturedCutOuts(const PhysicalLook& look, std::vector<std::string>& problems);
 
     bool is_hole(const Geometry& geometry, const SurfacePoint& point,
@@ -26,7 +27,7 @@ class TexturedCutOuts : public CutOuts {
         std::uint32_t uv_offset;  ///< see SurfaceBinding
     };
 
-    /// A texture of which only the zeros are kept.
+    /// An image texture of which only the positions of zero texels are kept.
     struct Mask {
         Mapping mapping;
         ZeroTexels zeros;
@@ -36,15 +37,15 @@ class TexturedCutOuts : public CutOuts {
                                                   std::vector<std::string>& problems);
     bool is_zero(const NumberSlot& alpha, const TexturePoint& place) const;
 
-    std::vector<Surface> surfaces_;           ///< of each binding
-    std::vector<std::optional<Mask>> masks_;  ///< of the textures for which one is enough
-    Textures textures_;                       ///< the others that alphas show, at their places
+    std::vector<Surface> surfaces_;           ///< for each binding
+    std::vector<std::optional<Mask>> masks_;  ///< for image textures whose zeros suffice
+    Textures textures_;  ///< the other alpha textures, with their indices unchanged
     TextureValues values_;
 };
 
-/// Gives the geometry of a scene, and of its objects, the holes that its look asks for, if there
-/// are any: whoever builds a backend for a scene of a file does this first. `problems` gets the
-/// reasons why images are replaced by grey.
+/// Sets the cut-outs of a scene's geometry and of its objects if any material has an alpha texture.
+/// Call it before a backend is built for a scene read from a file. For each image that cannot be
+/// read and is replaced by grey, `problems` gets the reason.
 void make_cut_outs(Scene& scene, std::vector<std::string>& problems);
 
 }  // namespace etalon

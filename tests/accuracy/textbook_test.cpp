@@ -17,8 +17,8 @@ Scene scene_of(const Shape& shape, LargeVector<Vec3> vertices = {}) {
     return scene;
 }
 
-/// One a shape and two of cones, about a unit in size. Every number is a float's, so that a kernel
-/// in float is asked about the same shape.
+/// One example of each shape and two cones, about a unit in size. All numbers are floats, so that a
+/// kernel in float gets the same shape.
 std::vector<Scene> scenes() {
     const std::array<Vec3, 5> notched = {
         {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 0, 0}, {-1, 1, 0}}};
@@ -45,8 +45,8 @@ Vec3 in_float(const Vec3& v) {
     return Vec3(Vec3f(v));
 }
 
-/// Returns a ray from a distance of about 3 to somewhere around the shape. Half of the rays see
-/// only a part of the way, so that the first hit may lie before or beyond it.
+/// Returns a ray from a distance of about 3 to a point around the shape. Half of the rays have a
+/// tmin and tmax, so that the first hit may be outside their range.
 Ray random_ray(Random& random) {
     Ray ray{in_float(3.0 * random.direction()), {}};
     ray.direction = in_float(1.5 * random.in_cube() - ray.origin);
@@ -61,7 +61,7 @@ double first_t(const Scene& scene, const Ray& ray) {
     return t <= ray.tmax ? t : no_hit;
 }
 
-/// Returns whether what the ray meets hardly changes as the ray is moved a little.
+/// Returns whether the hit changes little when the ray is moved a little.
 bool is_benign(const Scene& scene, const Ray& ray, Random& random) {
     const double t = first_t(scene, ray);
     for (int i = 0; i < 16; ++i) {

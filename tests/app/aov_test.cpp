@@ -1,4 +1,4 @@
-// `etalon render --aov`: what is known of a pixel beside its colour.
+// `etalon render --aov`: further channels of an image.
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -18,7 +18,7 @@ ProgramResult render(const Folder& f, const std::string& options) {
 
 }  // namespace
 
-TEST_CASE("--aov writes what was asked for as channels of the EXR", "[app]") {
+TEST_CASE("--aov writes the requested channels to the EXR", "[app]") {
     const Folder f;
     REQUIRE(render(f,
                    "--spp 4 --aov albedo,N,P,Z,uv,dpdu,dpdv,primitiveId,instanceId -o a.exr "
@@ -52,7 +52,7 @@ TEST_CASE("--aov writes what was asked for as channels of the EXR", "[app]") {
     CHECK(channel<float>(path, "cost.primitiveTests")[middle] == 2);
 }
 
-TEST_CASE("--aov changes neither the picture nor the counts of its rays", "[app]") {
+TEST_CASE("--aov changes neither the image nor the counts of its rays", "[app]") {
     const Folder f;
     REQUIRE(render(f, "--spp 4 -o a.exr --stats a.json").status == 0);
     REQUIRE(render(f, "--spp 4 -o b.exr --stats b.json --aov N,P,variance").status == 0);
@@ -73,7 +73,7 @@ TEST_CASE("--aov follows a crop and the corners of --spd", "[app]") {
     CHECK(part.back() == whole[17 * 32 + 19]);
 }
 
-TEST_CASE("An --aov that cannot be had is wrong usage, and what could be is said", "[app]") {
+TEST_CASE("An unavailable --aov is wrong usage, and the available ones are listed", "[app]") {
     const Folder f;
     const ProgramResult unknown = render(f, "--aov Z,albdo -o a.exr");
     CHECK(unknown.status == 2);

@@ -1,5 +1,5 @@
-// Bad input as a user may meet it: a diagnostic or an image, never a crash, a hang, or memory far
-// beyond the file's size.
+// Malformed input: a diagnostic or an image, never a crash, a hang, or memory far beyond the file's
+// size.
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 
@@ -11,7 +11,7 @@ std::uint32_t next(std::uint32_t& state) {
     return state = state * 1664525U + 1013904223U;
 }
 
-/// Renders small, without any frill; the status must be one the contract knows.
+/// Renders a small image with default options; the exit status must be a documented one.
 void must_survive(const Folder& f, const std::string& text) {
     f.write("bad.p3f", text);
     const auto r = f.shell("ulimit -t 20; exec " ETALON_BINARY_DIR
@@ -23,7 +23,7 @@ void must_survive(const Folder& f, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("Cut and damaged scenes end with a diagnostic or a picture", "[app]") {
+TEST_CASE("Truncated and damaged scenes end with a diagnostic or an image", "[app]") {
     const Folder f;
     std::uint32_t state = 1;
     for (int i = 0; i < 15; ++i)
@@ -35,7 +35,7 @@ TEST_CASE("Cut and damaged scenes end with a diagnostic or a picture", "[app]") 
     }
 }
 
-TEST_CASE("Cut and damaged scenes end with a diagnostic or a picture, many", "[long]") {
+TEST_CASE("Truncated and damaged scenes end with a diagnostic or an image, many", "[long]") {
     const Folder f;
     std::uint32_t state = 2;
     for (int i = 0; i < 100; ++i)

@@ -1,4 +1,4 @@
-// Renderings that are ended at any moment, and resumed from their checkpoints.
+// Renderings that are interrupted at any moment and resumed from their checkpoints.
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -22,7 +22,7 @@ constexpr bool can_preload = false;
 constexpr bool can_preload = true;
 #endif
 
-/// Something to render, of a second or less.
+/// A rendering that takes a second or less.
 const std::vector<std::string> tasks = {
     "glass.p3f --spp 24",
     "soft_shadows.p3f --integrator path --spp 12 --filter gaussian",
@@ -38,13 +38,13 @@ std::string render(const std::string& task) {
            task + size;
 }
 
-/// Renders without a stop, to whole.exr. Returns the seconds that it took.
+/// Renders without interruption to whole.exr. Returns the time in seconds.
 double render_whole(const Folder& f, const std::string& task) {
     REQUIRE(f.shell(render(task) + "-o whole.exr --stats whole.json").status == 0);
     return json::parse(f.read("whole.json"))["seconds"]["total"];
 }
 
-/// Resumes, without a stop, and compares the file with that of one never stopped.
+/// Resumes without interruption and compares the file with that of an uninterrupted rendering.
 void check_resumed(const Folder& f, const std::string& task) {
     const auto r = f.shell(render(task) + "-o image.exr --checkpoint c --resume");
     CAPTURE(task, r.err);
@@ -69,8 +69,8 @@ void kill_at_random(const Folder& f, const std::string& task, int kills, std::mt
     check_resumed(f, task);
 }
 
-/// Number of calls that a fault may hit in a rendering which is ended early, and so writes its
-/// checkpoint at the end: enough to meet them all, those for the image too.
+/// Number of calls that may fail in a rendering that ends early and so writes its checkpoint at the
+/// end: enough for all of them, including those for the image.
 constexpr int calls_hit = 30;
 
 std::string with_fault(const std::string& fault) {
@@ -153,7 +153,7 @@ TEST_CASE("Signals that interrupt calls, and writes of a part, leave files as th
     static_assert(EINTR == 4);
 }
 
-TEST_CASE("A folder that vanishes while it is rendered for is told", "[app]") {
+TEST_CASE("A folder that vanishes during rendering is reported", "[app]") {
     const Folder f;
     f.shell("mkdir there");
     const auto r = interrupted(f,
@@ -166,7 +166,7 @@ TEST_CASE("A folder that vanishes while it is rendered for is told", "[app]") {
     CHECK(!f.has("there"));
 }
 
-TEST_CASE("A checkpoint of something else is refused, and says what differs", "[app]") {
+TEST_CASE("A checkpoint of another rendering is an error, which names the difference", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     f.write("other.p3f", small_scene + "s 0 2 0 0.5\n");

@@ -1,4 +1,4 @@
-// How every subcommand takes its scene and ends.
+// Input and exit status of every subcommand.
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 

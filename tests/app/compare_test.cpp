@@ -1,4 +1,4 @@
-// etalon compare from outside: what it says of two images, and how it ends.
+// etalon compare as a process: its output for two images, and its exit status.
 #include <nlohmann/json.hpp>
 
 #include "core/image/io.h"
@@ -35,7 +35,7 @@ constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 
-TEST_CASE("compare says nothing but equal of a picture and itself", "[app]") {
+TEST_CASE("compare reports that an image equals itself", "[app]") {
     const Folder f;
     write(f, "a.exr", 40, stripes(40, 30));
     const Json json = json_of(f, "a.exr a.exr");
@@ -50,7 +50,7 @@ TEST_CASE("compare says nothing but equal of a picture and itself", "[app]") {
     CHECK(Json::parse(f.read("a.json")) == json);
 }
 
-TEST_CASE("compare takes the second picture for the reference", "[app]") {
+TEST_CASE("compare takes the second image as the reference", "[app]") {
     const Folder f;
     write(f, "a.exr", 2, {{1, 0.5F, 0}, {0.25F, 2, 3}});
     write(f, "b.exr", 2, {{0.5F, 0.5F, 0.25F}, {0.25F, 0, 3}});
@@ -77,7 +77,7 @@ TEST_CASE("compare finds a PNG and the EXR it was made of alike, to the PNG's st
     CHECK(json["ssim"] > 0.999);
 }
 
-TEST_CASE("compare ends with 1 where a figure is worse than it may be, and says which", "[app]") {
+TEST_CASE("compare exits with 1 if a metric is worse than its limit, and names it", "[app]") {
     const Folder f;
     write(f, "a.exr", 40, stripes(40, 30));
     write(f, "b.exr", 40, rings(40, 30));
@@ -121,7 +121,7 @@ TEST_CASE("compare knows a limit that cannot be meant", "[app]") {
     CHECK(f.etalon("compare a.exr a.exr --heatmap map.exr").status == 2);
 }
 
-TEST_CASE("compare refuses pictures of different sizes or places, and says both", "[app]") {
+TEST_CASE("compare rejects images of different sizes or positions, and reports both", "[app]") {
     const Folder f;
     write(f, "a.exr", 4, stripes(4, 3));
     write(f, "b.png", 4, stripes(4, 5));
@@ -141,7 +141,7 @@ TEST_CASE("compare refuses pictures of different sizes or places, and says both"
     CHECK_FALSE(f.has("a.json"));
 }
 
-TEST_CASE("compare of a crop with the whole image, or another crop, compares what both show",
+TEST_CASE("compare of a crop with the whole image, or another crop, compares their overlap",
           "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
@@ -167,7 +167,7 @@ TEST_CASE("compare of a crop with the whole image, or another crop, compares wha
     CHECK(f.etalon("compare crop.exr large.exr").status == 3);
 }
 
-TEST_CASE("compare refuses what it cannot read, and says why", "[app]") {
+TEST_CASE("compare reports why it cannot read a file", "[app]") {
     const Folder f;
     write(f, "a.exr", 40, stripes(40, 30));
     f.write("cut.exr", f.read("a.exr").substr(0, 700));
@@ -214,7 +214,7 @@ TEST_CASE("compare writes its files whole or not at all", "[app]") {
     CHECK(f.shell("ls").out == "a.exr\n");
 }
 
-TEST_CASE("compare counts what is no number as a difference without bounds", "[app]") {
+TEST_CASE("compare counts a NaN as an infinite difference", "[app]") {
     const Folder f;
     Pixels broken = stripes(20, 20);
     broken[50].y = not_a_number;

@@ -1,4 +1,4 @@
-// render and etalon-bench convergence against references and limits, from outside.
+// render and etalon-bench convergence with references and limits.
 #include <OpenEXR/ImfFloatAttribute.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
@@ -27,7 +27,7 @@ struct Converging : Folder {
 
 }  // namespace
 
-TEST_CASE("render --reference says how the error falls, and what compare says of the end",
+TEST_CASE("render --reference lists the error after each pass, and agrees with compare at the end",
           "[app]") {
     const Converging f;
     REQUIRE(f.etalon("render ball.p3f --spp 16 --reference reference.exr -q -o a.exr "
@@ -75,7 +75,7 @@ TEST_CASE("a reference serves a crop, and one of another size is refused", "[app
     CHECK(f.etalon("render ball.p3f --reference nowhere.exr").status == 3);
 }
 
-TEST_CASE("what cannot be an error, a time or a sampler is wrong usage", "[app]") {
+TEST_CASE("an invalid error, time or sampler is wrong usage", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     for (const std::string wish :
@@ -86,7 +86,7 @@ TEST_CASE("what cannot be an error, a time or a sampler is wrong usage", "[app]"
     }
 }
 
-TEST_CASE("render --time-limit ends a picture without end, whole", "[app]") {
+TEST_CASE("render --time-limit ends an endless rendering with a complete image", "[app]") {
     const Converging f;
     constexpr int endless = 1 << 24;
     const auto r = f.etalon("render ball.p3f --time-limit 0.2 --spp " + std::to_string(endless) +
@@ -97,7 +97,7 @@ TEST_CASE("render --time-limit ends a picture without end, whole", "[app]") {
     CHECK(f.etalon("compare a.exr reference.exr --fail-above relmse=0.2").status == 0);
 }
 
-TEST_CASE("a time too short for anything is a picture of one sample a pixel", "[app]") {
+TEST_CASE("a time limit that is too short gives an image of one sample per pixel", "[app]") {
     const Converging f;
     const auto r = f.etalon(
         "render ball.p3f --time-limit 1e-300 --reference reference.exr -o a.exr "
@@ -144,7 +144,7 @@ TEST_CASE("convergence has a curve for every sampler and backend", "[app]") {
     CHECK(f.shell("'" ETALON_BINARY_DIR "/bin/etalon-bench' convergence nothing.p3f").status == 3);
 }
 
-TEST_CASE("convergence renders by every integrator asked for", "[app]") {
+TEST_CASE("convergence renders with every requested integrator", "[app]") {
     const Converging f;
     const std::string command =
         "exec '" ETALON_BINARY_DIR "/bin/etalon-bench' convergence ball.p3f --samplers sobol ";
@@ -155,7 +155,7 @@ TEST_CASE("convergence renders by every integrator asked for", "[app]") {
     for (int i : {0, 1}) {
         const json& points = j["curves"][i]["points"];
         CHECK(j["curves"][i]["integrator"] == (i == 0 ? "whitted" : "ao"));
-        CHECK(points.back()["mse"] < points.front()["mse"]);  // each to a reference of its own
+        CHECK(points.back()["mse"] < points.front()["mse"]);  // each against a separate reference
     }
     CHECK(j["curves"][0]["points"][0]["mse"] != j["curves"][1]["points"][0]["mse"]);
     const auto unknown = f.shell(command + "--integrators bdpt");
@@ -164,7 +164,7 @@ TEST_CASE("convergence renders by every integrator asked for", "[app]") {
     CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("path, volpath, ao"));
 }
 
-TEST_CASE("an error that nobody estimated is unknown, in words and as null", "[app]") {
+TEST_CASE("an error without an estimate is unknown in text and null in JSON", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     for (const std::string limit : {"--spp 1", "--time-limit 1e-300"}) {
@@ -206,7 +206,7 @@ TEST_CASE("an error that was estimated stands in the image and in the figures al
     CHECK(s["image"]["spp"] != std::round(s["image"]["spp"].get<double>()));  // it is adaptive
 }
 
-TEST_CASE("an image that a signal or its time ended says so", "[app]") {
+TEST_CASE("an image ended by a signal or the time limit is marked as such", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     const std::string command = "render ball.p3f --spp 10000000 -o a.exr --stats s.json ";

@@ -1,4 +1,4 @@
-// etalon convert from outside: files that say the same, and what is said of those that cannot.
+// etalon convert as a process: equivalent files, and warnings about features that are lost.
 #include <filesystem>
 
 #include "core/image/io.h"
@@ -30,14 +30,14 @@ void check_same_image(const Folder& f, const std::string& scene) {
 
 }  // namespace
 
-TEST_CASE("a P3F scene of every feature gives the same picture when it is written again", "[app]") {
+TEST_CASE("a P3F scene of every feature gives the same image when it is written again", "[app]") {
     const Folder f;
     for (const auto& entry : fs::directory_iterator(ETALON_SOURCE_DIR "/scenes/features")) {
         if (entry.path().extension() == ".p3f") check_same_image(f, entry.path().string());
     }
 }
 
-TEST_CASE("every real P3F scene gives the same picture when it is written again",
+TEST_CASE("every real P3F scene gives the same image when it is written again",
           "[needs_shared_scenes][long]") {
     const Folder f;
     const std::vector<std::string> paths = etalon::shared_scenes("p3f", ".p3f");
@@ -47,7 +47,7 @@ TEST_CASE("every real P3F scene gives the same picture when it is written again"
     }
 }
 
-TEST_CASE("convert says what is lost, each kind once with a count", "[app]") {
+TEST_CASE("convert lists lost features, each kind once with a count", "[app]") {
     const Folder f;
     f.write("a.sce", "ball 1 0 0 -9\nscale 1 1 2\nball 1 0 0 -9\nball 1 1 0 -9\n");
     const auto p3f = f.etalon("convert a.sce -o a.p3f");
@@ -69,7 +69,7 @@ TEST_CASE("convert says what is lost, each kind once with a count", "[app]") {
     CHECK_FALSE(f.has("b.p3f"));
 }
 
-TEST_CASE("PBRT is written again as PBRT with all that it says", "[app]") {
+TEST_CASE("PBRT is written as PBRT with all its contents", "[app]") {
     const Folder f;
     f.shell("mkdir in out");
     f.write("in/part.pbrt", "Shape \"plymesh\" \"string filename\" \"m.ply\"\n");
@@ -88,10 +88,10 @@ TEST_CASE("PBRT is written again as PBRT with all that it says", "[app]") {
     CHECK_THAT(f.read("out/d.pbrt"), ContainsSubstring("\"hair\""));
 }
 
-TEST_CASE("every shape of PBRT gives the same picture when it is written again", "[app]") {
+TEST_CASE("every shape of PBRT gives the same image when it is written again", "[app]") {
     const Folder f;
     const fs::path source = ETALON_SOURCE_DIR;
-    for (const fs::path folder : {source / "scenes/pbrt", source / "tests/render/references"}) {
+    for (const fs::path& folder : {source / "scenes/pbrt", source / "tests/render/references"}) {
         for (const auto& entry : fs::directory_iterator(folder)) {
             if (entry.path().extension() != ".pbrt") continue;
             CAPTURE(entry.path());
@@ -136,7 +136,7 @@ TEST_CASE("a skybox is found from where the new file is", "[app]") {
     CHECK(f.etalon("render new/sky.p3f --strict --resolution 8x6 --spp 1 -q -o a.exr").err == "");
 }
 
-TEST_CASE("convert ends as the contract says", "[app]") {
+TEST_CASE("convert exits with the documented status", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     f.write("bad.p3f", small_scene + "ball 1 2\n");

@@ -1,4 +1,4 @@
-// Counts of crosscheck, on answers made up for the purpose, and what a stop leaves of them.
+// Counts of crosscheck for made-up answers, and the partial counts after an interruption.
 #include "app/crosscheck/crosscheck_results.h"
 #include "core/formats/load.h"
 #include "tests/app/run_program.h"
@@ -48,7 +48,7 @@ TEST_CASE("An answer is classified by class, primitive, occlusion and distance",
     CHECK_FALSE(classify(undecidable(), ball_at_2).decided);
 }
 
-TEST_CASE("The counts leave out what is undecidable and order the errors of t", "[crosscheck]") {
+TEST_CASE("The counts leave out undecidable rays and order the errors of t", "[crosscheck]") {
     const Trial trial{"aimed",
                       std::vector<Ray>(5),
                       {hit_at(2, {7}), hit_at(2, {7}), hit_at(2, {7}), undecidable(), {}}};
@@ -91,7 +91,7 @@ TEST_CASE("A contingency table counts decided rays by who is right", "[crosschec
     CHECK(contingencies(trials, {a, b, a, b}).size() == 3);
 }
 
-TEST_CASE("McNemar's test weighs what one and what the other got wrong", "[crosscheck]") {
+TEST_CASE("McNemar's test compares the errors of one and of the other", "[crosscheck]") {
     CHECK(Contingency{"a", "b", 10, 0, 0, 2}.mcnemar() == 0);
     CHECK(Contingency{"a", "b", 10, 2, 14, 0}.mcnemar() == 9);
     CHECK(Contingency{"a", "b", 10, 2, 14, 0}.in_words() ==

@@ -1,4 +1,4 @@
-// etalon crosscheck from outside: its figures add up, and its rays can be asked again.
+// etalon crosscheck as a process: its figures add up, and its rays can be traced again.
 #include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
@@ -36,7 +36,7 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-/// Answers of a backend as comments in the list of rays give them, in the order of the rays.
+/// Returns a backend's hits from the comments in the list of rays, in the order of the rays.
 struct Listed {
     std::string wrong, found, oracle;
 };
@@ -53,7 +53,7 @@ std::vector<Listed> listed(const std::string& rays) {
     return list;
 }
 
-/// Returns whether a line of trace, which adds the normal, says what is listed.
+/// Returns whether a line of etalon trace, which also has the normal, agrees with the list.
 bool says(const std::string& line, const std::string& answer) {
     return line == answer || line.rfind(answer + " ", 0) == 0;
 }
@@ -85,7 +85,7 @@ TEST_CASE("crosscheck lists wrong answers that trace gives again", "[app]") {
     f.write("ball.p3f", lone_ball());
     const auto r =
         f.etalon("crosscheck ball.p3f -b embree-builtin --rays 600 --worst 12 --rays-out rays.txt");
-    CHECK(r.status == 0);  // nobody promised that it is exact
+    CHECK(r.status == 0);  // it is not an exact backend
     const auto list = listed(f.read("rays.txt"));
     REQUIRE(list.size() == 12);
     CHECK_THAT(r.out, ContainsSubstring(f.read("rays.txt")));
@@ -102,7 +102,7 @@ TEST_CASE("crosscheck lists wrong answers that trace gives again", "[app]") {
     CHECK((list[0].wrong == "hit not found" || list[0].wrong == "hit where there is none"));
 }
 
-TEST_CASE("crosscheck says for pairs of backends who was right", "[app]") {
+TEST_CASE("crosscheck reports for pairs of backends which was right", "[app]") {
     const Folder f;
     f.write("ball.p3f", lone_ball());
     const auto r = f.etalon("crosscheck ball.p3f -b bvh,embree-builtin --rays 600 --json c.json");
@@ -123,7 +123,7 @@ TEST_CASE("crosscheck says for pairs of backends who was right", "[app]") {
     CHECK(c["mcnemar"] == only_bvh);
 }
 
-TEST_CASE("crosscheck writes nothing but what is asked for to standard output", "[app]") {
+TEST_CASE("crosscheck writes only the requested output to standard output", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     CHECK(

@@ -1,4 +1,4 @@
-// Files of several frames from outside: which one is shown, and what is said of it.
+// Files of several frames: which one is rendered, and the messages about it.
 #include <nlohmann/json.hpp>
 
 #include "core/image/io.h"
@@ -17,7 +17,7 @@ const std::string first =
     "WorldBegin\nTranslate 0 0 5\nMaterial \"mirror\"\nShape \"sphere\"\n"
     "LightSource \"infinite\"\nWorldEnd\n";
 
-// Of the first frame's options and attributes it has none.
+// It has none of the first frame's options and attributes.
 const std::string second =
     "Film \"image\" \"integer xresolution\" 9 \"integer yresolution\" 7\n"
     "WorldBegin\nLightSource \"distant\"\nShape \"disk\" \"float height\" 2\n"
@@ -51,7 +51,7 @@ TEST_CASE("--frame renders a frame as if it were a file of its own", "[app]") {
     CHECK(rendered(f, "second.pbrt").size() == 9 * 7 * 3);
 }
 
-TEST_CASE("without --frame the first is rendered, and the others are told of", "[app]") {
+TEST_CASE("without --frame the first frame is rendered, with a warning about the others", "[app]") {
     const FramesFolder f;
     CHECK(rendered(f, "both.pbrt") == rendered(f, "first.pbrt"));
     const std::string said =
@@ -62,7 +62,7 @@ TEST_CASE("without --frame the first is rendered, and the others are told of", "
     CHECK(strict.err == "both.pbrt: error: " + said);
 }
 
-TEST_CASE("info tells how many frames there are, and of which it speaks", "[app]") {
+TEST_CASE("info shows the number of frames, and which one it describes", "[app]") {
     const FramesFolder f;
     const json shown = json::parse(f.etalon("info both.pbrt --frame 2 --json").out);
     CHECK(shown["frame"] == 2);
@@ -97,7 +97,7 @@ TEST_CASE("a frame that is not there is a mistake of the command line", "[app]")
     CHECK_FALSE(f.has("both.exr"));
 }
 
-TEST_CASE("convert writes all frames, or the one that is asked for", "[app]") {
+TEST_CASE("convert writes all frames, or the requested one", "[app]") {
     const FramesFolder f;
     const auto converted = [&](const std::string& arguments) {
         const auto r = f.etalon("convert " + arguments + " --strict -o now.pbrt");

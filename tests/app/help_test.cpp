@@ -1,4 +1,4 @@
-// What the programs say of their command lines: the help, and what is wrong with one.
+// Help texts of the programs, and their messages about wrong command lines.
 #include <algorithm>
 #include <sstream>
 #include <tuple>
@@ -32,7 +32,7 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-/// Returns the words of a text with single blanks between them.
+/// Returns the words of a text, separated by single spaces.
 std::string words_of(const std::string& text) {
     std::string words;
     std::istringstream stream(text);
@@ -75,7 +75,7 @@ std::string error_of(const Folder& f, const std::string& command_line) {
 
 }  // namespace
 
-TEST_CASE("help names each value by what it is and fits 80 columns", "[app]") {
+TEST_CASE("help names each value by its kind and fits 80 columns", "[app]") {
     const Folder f;
     for (const Program& program : programs) {
         for (const std::string& command : program.commands) {
@@ -101,7 +101,7 @@ TEST_CASE("help names each value by what it is and fits 80 columns", "[app]") {
     }
 }
 
-TEST_CASE("help marks what may be left out", "[app]") {
+TEST_CASE("help marks optional arguments", "[app]") {
     const Folder f;
     const auto usage = [&](const std::string& command) {
         return lines_of(run(f, command + " --help").out).front();
@@ -111,7 +111,7 @@ TEST_CASE("help marks what may be left out", "[app]") {
     CHECK(usage("etalon-bench report") == "Usage: etalon-bench report [OPTIONS] [SCENE...]");
 }
 
-TEST_CASE("help says the range of a number that a wrong one is answered with", "[app]") {
+TEST_CASE("help gives the same range of a number as the error message", "[app]") {
     const Folder f;
     const std::tuple<std::string, std::string, std::string> cases[] = {
         {"etalon render s.p3f --spp -1", "from 0 to 16777216", "0 to 16777216"},
@@ -150,10 +150,10 @@ TEST_CASE("the examples in the help of etalon and etalon-scenes run", "[app]") {
     }
 }
 
-TEST_CASE("the examples in the help of etalon-bench are right up to what they measure", "[app]") {
+TEST_CASE("the examples in the help of etalon-bench are valid command lines", "[app]") {
     const Folder f;
     put_inputs(f);
-    // Outputs that cannot be written are noticed before anything is measured.
+    // Outputs that cannot be written are reported before anything is measured.
     f.shell("mkdir speed.json accuracy.json convergence.json frames.json; touch report results");
     for (const std::string& command : programs[1].commands) {
         for (const auto& example : examples_in(run(f, "etalon-bench " + command + " --help").out)) {
@@ -187,7 +187,7 @@ TEST_CASE("a misspelt command or option is answered with the nearest name", "[ap
     CHECK(error_of(f, "etalon render a.p3f b.p3f") == "etalon: error: unexpected argument 'b.p3f'");
 }
 
-TEST_CASE("a wrong value is shown with what was expected", "[app]") {
+TEST_CASE("a wrong value is reported with what was expected", "[app]") {
     const Folder f;
     const std::pair<std::string, std::string> cases[] = {
         {"--target-error 0", "--target-error 0: expected a number above 0"},

@@ -1,4 +1,4 @@
-// What info tells of a scene.
+// Output of etalon info.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/run_program.h"
@@ -8,7 +8,7 @@ using namespace etalon::test;
 
 using nlohmann::json;
 
-TEST_CASE("info tells what a scene holds, as text and as JSON", "[app]") {
+TEST_CASE("info shows the contents of a scene, as text and as JSON", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     CHECK_THAT(f.etalon("info ball.p3f").out,
@@ -18,7 +18,7 @@ TEST_CASE("info tells what a scene holds, as text and as JSON", "[app]") {
     CHECK(j["needs"] == json{"mirrored rays"});
 }
 
-TEST_CASE("info tells what the images of textures take, by their headers", "[app]") {
+TEST_CASE("info shows the memory of texture images, from their headers", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     REQUIRE(f.etalon("render ball.p3f --resolution 32x32 -q -o square.png -o float.exr").status ==

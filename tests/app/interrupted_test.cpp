@@ -1,4 +1,4 @@
-// What long commands keep when they are interrupted.
+// Results that long commands keep when they are interrupted.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/image_pixels.h"
@@ -9,7 +9,7 @@ using namespace etalon::test;
 
 using nlohmann::json;
 
-TEST_CASE("An interrupted crosscheck gives what the oracle has answered", "[app]") {
+TEST_CASE("An interrupted crosscheck keeps the oracle's results", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     const auto r = interrupted(
@@ -27,7 +27,7 @@ TEST_CASE("An interrupted crosscheck gives what the oracle has answered", "[app]
     CHECK(json::parse(f.read("c.json")).at("stopped").is_null());
 }
 
-TEST_CASE("An interrupted etalon-bench speed gives what it has measured", "[app]") {
+TEST_CASE("An interrupted etalon-bench speed keeps its measurements", "[app]") {
     const Folder f;
     const auto r = interrupted(f,
                                "etalon-bench speed --scene spheres:20,spheres:30 --backends bvh "
@@ -100,7 +100,7 @@ TEST_CASE("An interrupted etalon-bench convergence gives the curves until then",
     CHECK(j["curves"][0]["points"].size() == 3);
 }
 
-TEST_CASE("An interrupted render writes what there is", "[app]") {
+TEST_CASE("An interrupted render writes the image rendered so far", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     const std::pair<std::string, int> signals[] = {{"INT", 130}, {"TERM", 143}, {"HUP", 129}};
@@ -111,6 +111,5 @@ TEST_CASE("An interrupted render writes what there is", "[app]") {
         CHECK(r.status == status);
         CHECK(pixels(f.path("cut.exr")).size() == 32 * 24 * 3);
     }
-    CHECK(f.shell("rm out err loop; ls").out ==
-          "ball.p3f\ncut.exr\n");  // nothing half-written stays
+    CHECK(f.shell("rm out err loop; ls").out == "ball.p3f\ncut.exr\n");  // no partial file remains
 }

@@ -1,4 +1,4 @@
-// Images of scenes whose colours are display values, from outside.
+// Images of scenes whose colours are display values, written by the programs.
 #include <nlohmann/json.hpp>
 
 #include <cstring>
@@ -57,7 +57,7 @@ TEST_CASE("an EXR holds the light that display values stand for, unless they are
     CHECK(largest > 0.5);
 }
 
-TEST_CASE("a PNG shows display values as they are, whatever an EXR beside it holds", "[app]") {
+TEST_CASE("a PNG has the display values, independent of an EXR of the same rendering", "[app]") {
     const TwoPictures f;
     CHECK(f.read("light.png") == f.read("display.png"));
 }

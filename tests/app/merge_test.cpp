@@ -1,4 +1,4 @@
-// Parts of images, and what `etalon merge` makes of them.
+// Parts of images, and their merged images.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,8 +46,8 @@ void merge_well(const Folder& f, const std::vector<std::string>& parts, const st
     REQUIRE(r.status == 0);
 }
 
-/// Filters and samplers, samples that cannot be shared evenly, lights at whose outlines there are
-/// more samples.
+/// Cases with filters and samplers, sample numbers that cannot be divided evenly, and lights with
+/// more samples at their outlines.
 const std::vector<std::pair<std::string, int>> shared = {
     {"features/glass.p3f --spp 13", 4},
     {"features/soft_shadows.p3f --spp 16 --sampler random --filter triangle", 5},
@@ -79,7 +79,7 @@ TEST_CASE("All parts of an image merge to its bits, in any order and by steps", 
     }
 }
 
-TEST_CASE("A part is an image with more noise, and no other way to sample", "[app]") {
+TEST_CASE("A part is an image with more noise, sampled in the same way", "[app]") {
     const Folder f;
     const std::string scene = "features/soft_shadows.p3f ";
     render(f, scene + "--spp 1024", "reference.exr");
@@ -142,7 +142,7 @@ TEST_CASE("A part that was killed and resumed is the same part", "[app]") {
     CHECK(f.read("again.exr") == f.read("part.exr"));
 }
 
-TEST_CASE("What are no parts of one image is refused in words", "[app]") {
+TEST_CASE("Files that are not parts of one image are an error", "[app]") {
     const Folder f;
     const std::string scene = "features/glass.p3f --spp 8 ";
     render(f, scene, "plain.exr");
@@ -179,8 +179,7 @@ TEST_CASE("What are no parts of one image is refused in words", "[app]") {
     CHECK(merge(f, {"a.exr"}, "m.png").status == 2);
 }
 
-TEST_CASE("--part wants shares that there are, and an image whose samples are told before",
-          "[app]") {
+TEST_CASE("--part needs a valid share, and an image whose samples are known before", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     const std::pair<const char*, const char*> wrong[] = {

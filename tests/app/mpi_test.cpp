@@ -1,4 +1,4 @@
-// Images that several processes render together, started by mpirun.
+// Images rendered by several processes started by mpirun.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Something to render, of a second or less: uniform and adaptive, with and without filter.
+/// A rendering that takes a second or less: uniform and adaptive, with and without a filter.
 const std::vector<std::string> tasks = {
     "glass.p3f --spp 24",
     "soft_shadows.p3f --integrator path --spp 12 --filter gaussian",
@@ -137,7 +137,7 @@ TEST_CASE("A scene that rank 0 sends need not be where the others are", "[app][n
     }
 }
 
-TEST_CASE("When a rank is killed, what was done can be resumed", "[app][needs_mpirun]") {
+TEST_CASE("When a rank is killed, the rendering can be resumed", "[app][needs_mpirun]") {
     const Folder f;
     SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
     const std::string task = render("glass.p3f --spp 500") + "-t 1 ";
@@ -146,7 +146,7 @@ TEST_CASE("When a rank is killed, what was done can be resumed", "[app][needs_mp
                         "-o image.exr --checkpoint c --checkpoint-every 0.1 --resume");
     for (const int victim : {2, 0}) {
         f.shell("rm -f c pid*");
-        // Waits for the first checkpoint, but not of a program that has ended.
+        // Waits for the first checkpoint, unless the program has ended.
         const auto r = f.shell(fmt::format(
             "{}sh rank & run=$!; while kill -0 $run && ! test -s c; do sleep 0.02; done; "
             "kill -KILL $(cat pid{}); wait $run",
@@ -164,7 +164,7 @@ TEST_CASE("When a rank is killed, what was done can be resumed", "[app][needs_mp
     }
 }
 
-TEST_CASE("Ranks without the MPI module say that there is none, once", "[app]") {
+TEST_CASE("Ranks without the MPI module report that once", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     const std::string program = "ETALON_MODULE_PATH=. " ETALON_BINARY_DIR "/bin/etalon ";

@@ -1,4 +1,4 @@
-// Sums behind an image that nobody wrote: their hash fits, and nothing else has to.
+// Forged sums after an image: their hash is valid, but nothing else needs to be.
 #include "app/merge/merged_films.h"
 #include "core/base/hash64.h"
 #include "tests/catch.h"

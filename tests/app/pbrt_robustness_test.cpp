@@ -1,5 +1,5 @@
-// Bad PBRT scenes as a user may meet them: each is told of with its place, and none takes the
-// program down, or time or memory beyond the file's.
+// Malformed PBRT scenes: each error is reported with its position, and none crashes the program or
+// takes time or memory out of proportion to the file.
 #include <array>
 #include <string>
 
@@ -155,7 +155,7 @@ TEST_CASE("Samples that are not finite count as black, alike by every backend an
     }
 }
 
-TEST_CASE("info tells the angle of PBRT cameras", "[app]") {
+TEST_CASE("info shows the field of view of PBRT cameras", "[app]") {
     const Folder f;
     f.write("a.pbrt", scene_with(""));
     const ProgramResult r = f.etalon("info a.pbrt --json");

@@ -1,4 +1,4 @@
-// Real PBRT scenes, which this machine may have, by every exact backend and on several threads.
+// Renders real PBRT scenes, if this machine has them, with every exact backend and several threads.
 #include <filesystem>
 
 #include "core/image/io.h"
@@ -10,7 +10,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Of all kinds of lights, cameras, materials and textures that are rendered, and meshes.
+/// Scenes with all kinds of lights, cameras, materials, textures and meshes that are rendered.
 constexpr const char* scenes[] = {"killeroo/killeroo-simple",
                                   "cornell-box/scene",
                                   "teapot/teapot-area-light",

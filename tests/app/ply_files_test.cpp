@@ -1,4 +1,4 @@
-// Many PLY files, which threads read ahead, from outside: one picture, and complaints in order.
+// Many PLY files, which threads read ahead: the image and the order of diagnostics do not change.
 #include <fmt/format.h>
 
 #include "core/image/io.h"
@@ -24,8 +24,9 @@ std::string triangle(int i) {
         x, 4 + i % 3, x + 0.3, x - 0.2);
 }
 
-/// Files of which every ninth is missing and every eleventh damaged, seen in the world and, the
-/// later ones, in objects, of which one is built out of order as its first instance is nowhere.
+/// Files of which every ninth is missing and every eleventh is damaged, used in the scene and, the
+/// later ones, in objects. One object is built out of order, since its first instance is
+/// degenerate.
 void write_scene(const Folder& f) {
     std::string world, objects, instances;
     for (int i = 0; i < files; ++i) {
@@ -47,7 +48,7 @@ void write_scene(const Folder& f) {
 
 }  // namespace
 
-TEST_CASE("PLY files that are read ahead give one picture and complaints in order", "[app]") {
+TEST_CASE("PLY files that are read ahead give the same image and ordered diagnostics", "[app]") {
     const Folder f;
     write_scene(f);
     std::string said;

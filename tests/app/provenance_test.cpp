@@ -1,4 +1,4 @@
-// Where results say they come from, from outside.
+// Provenance of results: version, commit, compiler and command.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/run_program.h"
@@ -37,7 +37,7 @@ TEST_CASE("the same render twice gives equal files", "[app]") {
     CHECK(f.read("x.png") == f.read("y.png"));
 }
 
-TEST_CASE("a PNG says what made it of which scene, as an EXR does", "[app]") {
+TEST_CASE("a PNG names its program and scene, as an EXR does", "[app]") {
     const Folder f;
     f.write("a.p3f", small_scene);
     REQUIRE(f.etalon("render a.p3f --spp 2 --seed 77 -q -o a.exr -o a.png").status == 0);
@@ -48,7 +48,7 @@ TEST_CASE("a PNG says what made it of which scene, as an EXR does", "[app]") {
     }
 }
 
-TEST_CASE("stats and measurements say which program made them, and how it was called", "[app]") {
+TEST_CASE("stats and measurements have the program's version and command line", "[app]") {
     const Folder f;
     f.write("a scene.p3f", small_scene);
     REQUIRE(f.etalon("render 'a scene.p3f' -q -o a.png --stats s.json").status == 0);
@@ -65,7 +65,7 @@ TEST_CASE("stats and measurements say which program made them, and how it was ca
     check_provenance(json::parse(f.read("a.json")), "etalon-bench accuracy --case SPH-1 --rays 10");
 }
 
-TEST_CASE("--version says the commit, the compiler, Embree and the instruction set", "[app]") {
+TEST_CASE("--version shows the commit, the compiler, Embree and the instruction set", "[app]") {
     const Folder f;
     f.write("a.p3f", small_scene);
     const auto stats = json::parse(f.etalon("render a.p3f -q -b bvh -o a.png --stats -").out);

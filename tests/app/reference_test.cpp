@@ -1,5 +1,5 @@
-// Every feature scene against a small stored image. A deliberate change of what is seen is taken
-// over by running this test with ETALON_UPDATE_REFERENCES=1, and looked at in the commit.
+// Compares every feature scene with a small stored image. After an intended change, run this test
+// with ETALON_UPDATE_REFERENCES=1 and review the images in the commit.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -16,8 +16,8 @@ namespace {
 const fs::path scenes = fs::path(ETALON_SOURCE_DIR) / "scenes" / "features";
 const fs::path references = fs::path(ETALON_SOURCE_DIR) / "tests" / "references";
 
-/// Pixels that differ by more than 1e-4 in a channel. Another libm may round a camera ray or a
-/// highlight differently, which moves the last digits everywhere and an edge hardly anywhere.
+/// Counts pixels that differ by more than 1e-4 in a channel. Another libm may round a camera ray or
+/// a highlight differently, which changes the last digits everywhere but hardly any edge.
 int different_pixels(const std::vector<float>& a, const std::vector<float>& b) {
     int count = 0;
     for (std::size_t i = 0; i + 2 < a.size(); i += 3) {

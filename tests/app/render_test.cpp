@@ -1,4 +1,4 @@
-// Images that render makes, and the options that change them.
+// Images of etalon render, and the options that change them.
 #include <nlohmann/json.hpp>
 
 #include "core/image/io.h"
@@ -62,7 +62,7 @@ TEST_CASE("render takes size, crop, depth, seed and several outputs", "[app]") {
     CHECK(s["memory_bytes"]["peak_rss"].get<double>() > 0);
 }
 
-TEST_CASE("--filter says how samples make pixels; a box of half a pixel is the usual one",
+TEST_CASE("--filter sets the reconstruction filter; the default is a box of half a pixel",
           "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
@@ -149,7 +149,8 @@ TEST_CASE("render takes any integrator by name, auto is the scene's own", "[app]
     CHECK(near["rays"]["shadow_blocked"] < ao["rays"]["shadow_blocked"]);
 }
 
-TEST_CASE("an unknown integrator is refused with the list, and what one would ignore", "[app]") {
+TEST_CASE("an unknown integrator, or an option that one would ignore, is an error with a list",
+          "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     const auto unknown = f.etalon("render ball.p3f --integrator bdpt");

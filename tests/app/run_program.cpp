@@ -64,7 +64,7 @@ ProgramResult Folder::shell(const std::string& command, const std::string& input
 
 ProgramResult interrupted(const Folder& f, const std::string& command, const std::string& until,
                           const std::string& signal) {
-    // What an earlier program wrote must not be taken for what this one does.
+    // Removes the output of an earlier program, which must not be mistaken for that of this one.
     const auto r = f.shell("rm -f out err; '" ETALON_BINARY_DIR "/bin/'" + command +
                            " >out 2>err & pid=$!; while kill -0 $pid && ! { " + until +
                            "; }; do sleep 0.02; done 2>loop; kill -" + signal + " $pid; wait $pid");

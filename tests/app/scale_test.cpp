@@ -1,4 +1,4 @@
-// What large scenes take of memory, as the program itself tells.
+// Memory that large scenes take, as reported by the program.
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* backends[] = {"bvh", "grid", "embree"};
 
-/// The bytes that an image of a few pixels took, by --stats.
+/// Returns the memory used for an image of a few pixels, from --stats.
 nlohmann::json memory_of(const Folder& f, const std::string& scene, const std::string& backend) {
     const auto r = f.etalon("render " + scene + " -b " + backend +
                             " --resolution 8x8 --spp 1 -q -o a.png --stats a.json");

@@ -1,4 +1,4 @@
-// What all subcommands must know of a scene: instances, motion and holes.
+// Features that all subcommands must support: instances, motion and holes.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/image_pixels.h"
@@ -34,7 +34,7 @@ TEST_CASE("trace, info and crosscheck know instances", "[app]") {
     CHECK(r.status == 0);
 }
 
-TEST_CASE("trace, info, convert and crosscheck know what moves", "[app]") {
+TEST_CASE("trace, info, convert and crosscheck support motion", "[app]") {
     const Folder f;
     f.write("m.pbrt",
             "LookAt 0 0 -9  0 0 0  0 1 0 Camera \"perspective\" \"float shutterclose\" 0.5\n"
@@ -48,8 +48,9 @@ TEST_CASE("trace, info, convert and crosscheck know what moves", "[app]") {
         INFO(scene << " " << backend);
         const auto r = f.etalon("trace " + scene + " --rays rays.txt -b " + backend);
         REQUIRE(r.status == 0);
-        CHECK(r.out.find("hit 8 sphere 0/0 0 0 -1\n") == 0);             // as the shutter opens
-        CHECK(r.out.find("\nhit 12 ring 0 0 0 ") != std::string::npos);  // when it is half gone
+        CHECK(r.out.find("hit 8 sphere 0/0 0 0 -1\n") == 0);  // when the shutter opens
+        CHECK(r.out.find("\nhit 12 ring 0 0 0 ") !=
+              std::string::npos);  // in the middle of the interval
         CHECK(r.out.find("\nhit 7 sphere 0/0 0 0 -1\n") != std::string::npos);
         CHECK(r.out.find("\nhit 6.00000") != std::string::npos);
     };

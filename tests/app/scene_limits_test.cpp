@@ -1,5 +1,5 @@
-// What a scene may not do where its author is a stranger: open files outside of a folder, and take
-// more memory than it is given.
+// Limits for untrusted scenes: they open no files outside a folder and use no more memory than
+// allowed.
 #include <filesystem>
 #include <string>
 
@@ -87,7 +87,7 @@ TEST_CASE("Confined SCE and P3F scenes open no file outside of the folder", "[ap
     two.check_refused("a.p3f", p3f_scene("../in-side"), "1:1", "in/../in-side/right.jpg");
 }
 
-TEST_CASE("A symbolic link out of the folder is no way out", "[app][limits]") {
+TEST_CASE("A symbolic link cannot lead out of the folder", "[app][limits]") {
     const TwoFolders two;
     std::filesystem::create_symlink("../in-side/secret", two.f.path("in/link"));
     std::filesystem::create_directory_symlink("../in-side", two.f.path("in/door"));
@@ -105,7 +105,7 @@ TEST_CASE("A confined scene opens the files of the folder", "[app][limits]") {
         CHECK(r.status == 0);
         CHECK(r.err.empty());
     }
-    // The scene itself is the user's choice, and so is a way to it through a link.
+    // The scene file itself is not restricted, and may be reached through a link.
     std::filesystem::create_directory_symlink("in", two.f.path("way"));
     two.f.write("in/a.pbrt", pbrt_scene("Include \"sub/own.pbrt\""));
     CHECK(two.f.etalon("info way/a.pbrt --root in").status == 0);
@@ -147,10 +147,10 @@ TEST_CASE("An image that needs more than --max-memory is refused before it is be
     CHECK(r.status == 3);
     CHECK_THAT(r.err, ContainsSubstring("9000 x 9000 pixels need"));
     CHECK_THAT(r.err, ContainsSubstring("--max-memory"));
-    CHECK(r.peak_bytes < 100e6);
+    CHECK(r.peak_bytes < 100'000'000);
 }
 
-TEST_CASE("A scene that needs more than --max-memory ends in words", "[app][limits]") {
+TEST_CASE("A scene that needs more than --max-memory is an error", "[app][limits]") {
     const Folder f;
     std::string text = small_scene;
     for (int i = 0; i < 100'000; ++i) text += "s " + std::to_string(i) + " 0 0 1\n";

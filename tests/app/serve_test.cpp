@@ -20,8 +20,7 @@ bool has_python(const Folder& f) {
 
 }  // namespace
 
-TEST_CASE("serve shows its image to who has the address, and to nobody else",
-          "[app][needs_python]") {
+TEST_CASE("serve shows its image only to clients with the address", "[app][needs_python]") {
     const Folder f;
     SKIP_UNLESS(has_python(f), "no Python 3.8 or newer");
     f.write("ball.p3f", small_scene);
@@ -41,7 +40,7 @@ TEST_CASE("Chromium shows an image as it converges, and its button ends the rend
     CHECK(r.status == 0);
 }
 
-TEST_CASE("serve that nobody looks at ends with the image that render writes", "[app]") {
+TEST_CASE("serve without clients ends with the image that render writes", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     const auto r =
@@ -55,7 +54,7 @@ TEST_CASE("serve that nobody looks at ends with the image that render writes", "
     CHECK_THAT(f.read("a.json"), ContainsSubstring("\"expected_error\": {\n    \"relmse\": null"));
 }
 
-TEST_CASE("serve has no image on standard output, and says what it lacks", "[app]") {
+TEST_CASE("serve rejects standard output for files, and reports what is missing", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     for (const std::string output : {"-o -", "-o a.exr --stats -"}) {

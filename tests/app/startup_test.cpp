@@ -1,4 +1,4 @@
-// A scene pays for what it contains: what is mapped into the process tells.
+// Libraries are loaded only for scenes that need them, as the mappings of the process show.
 #include <cstdlib>
 
 #include "core/image/io.h"
@@ -16,7 +16,7 @@ std::string libraries(const Folder& f, const std::string& arguments) {
     return r.err;
 }
 
-/// A P3F scene below a skybox of grey faces, each a file of its extension.
+/// A P3F scene with a skybox of grey faces, each with a file of another extension.
 void write_skybox_scene(const Folder& f, const std::vector<std::string>& extensions) {
     std::filesystem::create_directory(f.path("sky"));
     const char* names[] = {"right", "left", "top", "bottom", "front", "back"};
@@ -58,6 +58,12 @@ TEST_CASE("a process that no MPI launcher started loads no MPI", "[app]") {
     CHECK_THAT(loaded, !ContainsSubstring("libmpi") && !ContainsSubstring("etalon_mpi"));
 }
 
+TEST_CASE("no program waits for Highway's library to measure a clock", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    CHECK_THAT(libraries(f, "render ball.p3f -o a.exr"), !ContainsSubstring("libhwy"));
+}
+
 TEST_CASE("a module that is missing is noticed before rendering", "[app]") {
     const Folder f;
     write_skybox_scene(f, {".jpg", ".hdr", ".png", ".png", ".png", ".exr"});
@@ -74,7 +80,7 @@ TEST_CASE("a module that is missing is noticed before rendering", "[app]") {
     CHECK_FALSE(f.has("b.png"));
 }
 
-TEST_CASE("a face that turns out damaged loses no picture", "[app]") {
+TEST_CASE("a damaged face does not lose the image", "[app]") {
     const Folder f;
     write_skybox_scene(f, {".png", ".png", ".png", ".png", ".png", ".png"});
     for (const char* name : {"sky/back.png", "sky/bottom.png"}) {

@@ -1,4 +1,4 @@
-// What programs do when a standard stream is full, closed or no longer read.
+// Behaviour of the programs when a standard stream is full, closed or no longer read.
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 
@@ -44,7 +44,7 @@ const std::string result_commands[] = {
 
 }  // namespace
 
-TEST_CASE("A log that is full, closed or not read loses no picture and stops nothing", "[app]") {
+TEST_CASE("A full, closed or unread log loses no image and stops nothing", "[app]") {
     const Used f;
     f.write("odd.p3f", small_scene + "sphere 1 2 3 4\n");  // warned of
     const std::string whole = f.read("whole.exr");
@@ -131,7 +131,7 @@ TEST_CASE("Standard output takes one result, in a format that it can have", "[ap
     CHECK(f.etalon("render ball.p3f -o - --aov N").status == 0);
 }
 
-TEST_CASE("The picture is written even if the figures about it cannot be", "[app]") {
+TEST_CASE("The image is written even if its statistics cannot be", "[app]") {
     const Used f;
     for (const std::string out : {">/dev/full", ">&-", ">&- 2>&-"}) {
         INFO(out);

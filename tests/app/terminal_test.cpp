@@ -14,7 +14,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Runs a shell command on a terminal of so many columns; returns what it shows.
+/// Runs a shell command on a terminal of so many columns and returns its output.
 std::string shown_on_terminal(const std::string& command, unsigned short columns) {
     const winsize size{24, columns, 0, 0};
     int terminal = -1;
@@ -33,7 +33,7 @@ std::string shown_on_terminal(const std::string& command, unsigned short columns
     return text;
 }
 
-/// The bars among what a terminal shows, each from its carriage return on.
+/// Returns the progress bars in a terminal's output, each from its carriage return on.
 std::vector<std::string> bars_in(const std::string& text) {
     std::vector<std::string> bars;
     const std::string clear_rest = "\x1b[K";

@@ -27,7 +27,7 @@ std::string read_bytes(int connection, std::size_t count) {
     return bytes;
 }
 
-/// The fields of a message, one after the other.
+/// Reads the fields of a message one by one.
 class Fields {
   public:
     explicit Fields(std::string bytes) : bytes_(std::move(bytes)) {}

@@ -1,4 +1,4 @@
-// render --tev, heard by an independent listener.
+// render --tev, checked by an independent implementation of the protocol.
 #include <algorithm>
 
 #include "core/image/io.h"
@@ -10,7 +10,8 @@ using namespace etalon::test;
 
 namespace {
 
-/// The number of pixels of an EXR that a viewer shows otherwise; all, if it is not as large.
+/// Returns the number of pixels that differ between an EXR and a viewer's image; all if the sizes
+/// differ.
 std::size_t differences(const ViewedImage& viewed, const std::string& exr) {
     const auto read = etalon::read_image(exr);
     REQUIRE(read.error == "");

@@ -1,4 +1,4 @@
-// Rays in, hits out.
+// etalon trace: reads rays and writes hits.
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 
@@ -29,7 +29,7 @@ TEST_CASE("trace answers ray by ray", "[app]") {
     }
 }
 
-TEST_CASE("trace says where a file of rays is wrong", "[app]") {
+TEST_CASE("trace reports the position of an error in a file of rays", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     const std::pair<const char*, const char*> wrong[] = {

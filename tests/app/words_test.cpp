@@ -1,4 +1,4 @@
-// What the commands of etalon say when something is missing, too large or left out.
+// Messages of etalon's commands about missing, too large or ignored input.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/run_program.h"
@@ -17,7 +17,7 @@ const Folder& folder() {
     return f;
 }
 
-/// Returns what a command that fails says.
+/// Returns the message of a failing command.
 std::string error_of(const std::string& arguments, int status) {
     const auto r = folder().etalon(arguments);
     INFO(arguments);
@@ -28,7 +28,7 @@ std::string error_of(const std::string& arguments, int status) {
 
 }  // namespace
 
-TEST_CASE("a size of an image that cannot be says what could be", "[app]") {
+TEST_CASE("an impossible image size is an error with the possible range", "[app]") {
     CHECK(error_of("render ball.p3f --resolution 100000x100000", 2) ==
           "etalon: error: --resolution 100000x100000: expected at most 65536 pixels a side\n");
     const auto r = folder().shell("ulimit -v 4000000; " ETALON_BINARY_DIR
@@ -58,7 +58,7 @@ TEST_CASE("an input that cannot be read is named with the system's reason", "[ap
             "text.txt: cannot be read: it is not an image; expected EXR, PNG, JPEG, HDR or PFM\n"));
 }
 
-TEST_CASE("a damaged image is named with its format, in no library's words", "[app]") {
+TEST_CASE("a damaged image is reported with its format, without a library's message", "[app]") {
     const Folder& f = folder();
     REQUIRE(f.etalon("render ball.p3f -q -o whole.exr -o whole.png").status == 0);
     f.write("whole.jpg", encoded_jpeg({}, 40, 40));
@@ -111,7 +111,7 @@ TEST_CASE("the summary of a small image shows its rays and its time, not zeros",
     CHECK_THAT(r.err, !ContainsSubstring("0.00"));
 }
 
-TEST_CASE("a scene cut before its first shape says that it has none", "[app]") {
+TEST_CASE("a scene truncated before its first shape is reported to have none", "[app]") {
     const Folder f;
     f.write("cut.p3f", small_scene.substr(0, small_scene.find("pl 1")));
     const auto r = f.etalon("info cut.p3f");
@@ -121,7 +121,7 @@ TEST_CASE("a scene cut before its first shape says that it has none", "[app]") {
     CHECK(f.etalon("render cut.p3f -q -o a.exr").status == 0);
 }
 
-TEST_CASE("info --json says how many diagnostics it left out", "[app]") {
+TEST_CASE("info --json counts the diagnostics that it left out", "[app]") {
     const Folder f;
     std::string text = small_scene;
     for (int i = 0; i < 25; ++i) text += "s 0 0 0 nan\n";

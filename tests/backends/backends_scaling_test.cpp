@@ -1,5 +1,5 @@
-// Scaling a scene by a power of two changes no answer but t's exponent: nothing on the way to a hit
-// knows an absolute length.
+// Scaling a scene by a power of two changes only the exponent of t: no computation depends on an
+// absolute length.
 #include "embree_backend/embree_backends.h"
 #include "native_accel/native_backends.h"
 #include "tests/backends/scenes.h"
@@ -12,7 +12,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// The ray of the scaled scene that belongs to `ray`, if it can be written down exactly.
+/// Returns the ray of the scaled scene that corresponds to `ray`, if it can be represented exactly.
 std::optional<Ray> scaled(const Ray& ray, double factor) {
     const Ray result{factor * ray.origin, factor * ray.direction, ray.tmin, ray.tmax};
     if (result.origin / factor != ray.origin || result.direction / factor != ray.direction) {
@@ -36,7 +36,7 @@ std::size_t count_different(const Backend& backend, const Scene& scene,
     return different;
 }
 
-/// The number of rays that find something else where only their direction is scaled.
+/// Returns the number of rays whose hit changes if only their direction is scaled.
 std::size_t count_changed(const Intersector& intersector, const std::vector<Ray>& rays,
                           double factor) {
     std::size_t changed = 0;

@@ -1,5 +1,4 @@
-// The binary tree under the BVH: what it must be whatever it is built from, and on how many
-// threads.
+// Properties of the binary tree under the BVH, for any input and number of threads.
 #include "core/accel/tree/builder.h"
 
 #include <algorithm>
@@ -25,7 +24,7 @@ BoundedPrimitive primitive(const Vec3& centre, const Vec3& half, std::size_t id,
     return {box, static_cast<std::uint32_t>(id), kind};
 }
 
-/// Primitives of which make(random, id) gives each.
+/// Returns the primitives make(random, id).
 template <class Make>
 Primitives generate(std::size_t count, const Make& make) {
     Random random(count);
@@ -53,7 +52,7 @@ Primitives of_all_kinds(std::size_t count) {
     });
 }
 
-/// Two kinds in the same places.
+/// Two shapes at the same positions.
 Primitives in_pairs(std::size_t count) {
     return generate(count, [](Random& random, std::size_t id) {
         const Vec3 place = random.in_cube();
@@ -81,7 +80,7 @@ Primitives in_a_plane(std::size_t count) {
     });
 }
 
-/// Each half as far from the corner as the one before: bins tell only a few apart.
+/// Each half as far from the corner as the previous one, so that bins separate only a few.
 Primitives ever_closer(std::size_t count) {
     return generate(count, [](Random& random, std::size_t id) {
         const double distance = random.magnitude(-30, 0);
@@ -89,7 +88,7 @@ Primitives ever_closer(std::size_t count) {
     });
 }
 
-/// Too close together for the width of a bin to be a float's reciprocal.
+/// So close together that the reciprocal of a bin's width is not a float.
 Primitives denormal(std::size_t count) {
     return generate(count, [](Random& random, std::size_t id) {
         return primitive(1e-41 * random.in_cube(), Vec3(1e-42), id, triangle);
@@ -145,7 +144,7 @@ class Inspection {
     const BvhConfig& config_;
 
   public:
-    std::vector<int> seen;  ///< of each primitive, how often
+    std::vector<int> seen;  ///< occurrences of each primitive
     std::size_t nodes = 0, leaves = 0;
     std::size_t outside_parent = 0, too_large = 0, of_other_kind = 0, loose_leaves = 0;
     int depth = 0;

@@ -1,4 +1,4 @@
-// Filters of clusters in float, against what the kernels hit; and whole traversals of the tree, for
+// Compares the float filters of clusters with the kernels, and whole traversals of the tree, for
 // every instruction set that they are compiled for and this machine has.
 #include "core/numerics/instruction_sets.h"
 
@@ -40,7 +40,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// A scene's triangles and spheres in clusters, and how the filters did with them.
+/// A scene's triangles and spheres in clusters, and counts of the filters' results.
 class Trial {
   public:
     explicit Trial(const Scene& scene) : scene_(scene) {
@@ -115,8 +115,8 @@ void require_no_hit_dropped(const Scene& scene, std::size_t rays) {
     CHECK(trial.left_and_passed == 0);
 }
 
-/// A triangle of any size anywhere in the frame, or of corners that nearly fall together, or whose
-/// plane nearly contains `eye`.
+/// Returns a triangle of any size anywhere in normalized space, or with nearly coincident vertices,
+/// or whose plane nearly contains `eye`.
 std::array<Vec3, 3> adversarial_triangle(const Vec3& eye, Random& random) {
     const Vec3 place = random.in_cube(), along = random.magnitude(-8, 0) * random.direction();
     const Vec3 aside = random.magnitude(-8, 0) * random.direction();
@@ -145,7 +145,8 @@ Scene adversarial_triangles(const Vec3& eye, std::size_t count) {
     return scene;
 }
 
-/// A sphere of any size anywhere in the frame, many of them nearly touched by rays from `eye`.
+/// Returns a sphere of any size anywhere in normalized space, often nearly tangent to rays from
+/// `eye`.
 Scene adversarial_spheres(const Vec3& eye, std::size_t count) {
     Scene scene;
     scene.camera.eye = eye;

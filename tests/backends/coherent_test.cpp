@@ -1,4 +1,4 @@
-// Rays that are said to follow each other are walked by other code: it must find the same.
+// Rays marked as coherent are traversed by other code, which must find the same hits.
 #include "native_accel/bvh/lane_select.h"
 #include "native_accel/bvh/wide_tree.h"
 #include "tests/backends/scenes.h"

@@ -1,4 +1,4 @@
-// Counted nearest-hit queries: they find the same, and the counts mean something.
+// Counted nearest-hit queries: they find the same hits, and the counts are plausible.
 #include "tests/backends/scenes.h"
 #include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
@@ -15,7 +15,7 @@ TraversalCost cost_of(const Intersector& intersector, const std::vector<Ray>& ra
     return cost;
 }
 
-/// Eight small spheres about a place, and eight about another.
+/// Eight small spheres around one point, and eight around another.
 Scene two_heaps() {
     Scene scene;
     for (int i = 0; i < 16; ++i) {
@@ -49,7 +49,7 @@ TEST_CASE("Given many primitives, an accelerator tests far fewer of them", "[bac
     const Scene scene = make_scene("mix", 4000);
     Random random(8);
     std::vector<Ray> rays = make_rays(scene, 500, random);
-    // Those from too far away are tested against everything by all.
+    // Rays from too far away are tested against all primitives by every backend.
     const NormalizedSpace space = SceneBounds::of(scene.geometry).space;
     std::erase_if(rays, [&](const Ray& ray) { return !space.resolves(ray); });
     REQUIRE(rays.size() > 400);

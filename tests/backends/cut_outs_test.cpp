@@ -1,5 +1,5 @@
-// Surfaces with holes: every exact backend, and the oracle, finds what is left of them, also where
-// several lie in the same place.
+// Surfaces with holes: every exact backend and the oracle find the remaining surface, also if
+// several surfaces coincide.
 #include "core/intersect/cut_outs.h"
 #include "core/intersect/kernels.h"
 #include "core/intersect/placement.h"
@@ -14,8 +14,8 @@ using namespace etalon::test;
 
 namespace {
 
-/// Squares of a chessboard are holes, smaller ones in higher materials; for shadow rays half of the
-/// others, too.
+/// Holes in a checkerboard pattern, smaller for higher material numbers; for shadow rays half of
+/// the other squares are also holes.
 class Chessboards : public CutOuts {
   public:
     explicit Chessboards(double unit = 1) : unit_(unit) {}
@@ -25,7 +25,7 @@ class Chessboards : public CutOuts {
         return at.is_even || (for_shadow && at.is_even_column);
     }
 
-    /// Returns whether the squares about a point could be confused with their neighbours.
+    /// Returns whether a point is too close to the border of a square to be classified.
     bool is_doubtful_at(const Vec3& p, std::uint32_t material) const {
         const auto near = [&](double x) {
             const double place = x / unit_ * fields(material);
@@ -52,8 +52,8 @@ class Chessboards : public CutOuts {
 
 constexpr int layers = 5;
 
-/// Layers of the same two triangles at z = 0, most of them with holes; others that cross them, and
-/// a wall behind.
+/// Coincident copies of two triangles at z = 0, most of them with holes; others that cross them,
+/// and a wall behind.
 Geometry layered_squares(Random& random) {
     Geometry g;
     for (const Vec3& p :
@@ -74,7 +74,7 @@ Geometry layered_squares(Random& random) {
     return g;
 }
 
-/// The same as an object of some instances, two of which are in one place.
+/// The same as an object with several instances, two of which coincide.
 Geometry with_instances(Random& random) {
     Geometry g = layered_squares(random);
     const Affine first{{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}, {0.25, 0, -1}},
@@ -90,8 +90,8 @@ Geometry without_holes(Geometry geometry) {
     return geometry;
 }
 
-/// What a ray meets, by the rule for ties, or that it passes too near to the border of a hole. The
-/// places of holes are found without the kernels' way of asking.
+/// The hit of a ray by the rule for ties, or that it passes too close to the border of a hole.
+/// Holes are evaluated independently of the kernels.
 struct Expected {
     bool is_doubtful = false;
     std::optional<Hit> hit;
@@ -165,7 +165,7 @@ Aimed aimed_at(Geometry geometry, Random& random, int count) {
     return aimed;
 }
 
-/// Counts rays of which any question to the backend gets another answer than that expected.
+/// Counts rays for which any query of the backend differs from the expected result.
 std::size_t count_wrong(const Backend& backend, const Aimed& aimed) {
     const auto intersector = backend.build(aimed.geometry);
     std::vector<Hit> hits(aimed.rays.size());

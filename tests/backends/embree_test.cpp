@@ -1,4 +1,4 @@
-// Tests of what is particular to the Embree backends.
+// Tests specific to the Embree backends.
 #include <tbb/task_scheduler_observer.h>
 
 #include <atomic>
@@ -27,12 +27,12 @@ class Helpers : public tbb::task_scheduler_observer {
     std::atomic<int> count_ = 0;
 };
 
-/// Made before any of oneTBB's threads and never destroyed: what oneTBB keeps of an observer passes
-/// from thread to thread in ways that sanitizers take for a race or a leak.
+/// Created before any of oneTBB's threads and never destroyed: sanitizers report oneTBB's handling
+/// of observers as a race or a leak.
 const Helpers& all_helpers = *new Helpers;
 
-/// How many threads joined in builds. The least of three: a thread that something before woke up
-/// may be late, but not each time.
+/// Returns the number of threads that joined in a build, the smallest of three builds: a thread
+/// that was woken before may join late, but not every time.
 int helpers_of(const Backend& backend, const Scene& scene) {
     int least = std::numeric_limits<int>::max();
     for (int i = 0; i < 3; ++i) {
@@ -48,8 +48,8 @@ bool keeps_denormals() {
     return least / 2 != 0;
 }
 
-/// Some objects, each seen five times: turned, stretched, mirrored. The last object may have a box,
-/// for which Embree has no geometry.
+/// Several objects with five instances each: rotated, stretched, mirrored. The last object may
+/// contain a box, for which Embree has no geometry.
 Scene scene_of_instances(bool has_box) {
     Scene scene = make_scene("mix", 20);
     Geometry& world = scene.geometry;

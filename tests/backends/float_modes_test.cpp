@@ -1,4 +1,4 @@
-// A caller may have set the processor to take denormals for zeros: no answer depends on it.
+// A caller may have enabled flush-to-zero and denormals-are-zero: no result depends on it.
 #if defined(__SSE2__)
 #include <immintrin.h>
 
@@ -12,7 +12,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Flush-to-zero and denormals-are-zero, as long as it lives.
+/// Enables flush-to-zero and denormals-are-zero during its lifetime.
 class FlushedDenormals {
   public:
     FlushedDenormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040U); }

@@ -1,5 +1,5 @@
-// The grid's own hard cases: rays along its planes and through its corners, dense meshes in large
-// scenes, and what it promises of its size.
+// Hard cases of the grid: rays along its planes and through its corners, dense meshes in large
+// scenes, and its memory limit.
 #include "native_accel/grid/grid.h"
 
 #include "tests/backends/scenes.h"
@@ -12,8 +12,8 @@ using namespace etalon::test;
 
 namespace {
 
-/// Returns a cube of n^3 places through which grids lay their planes: primitives whose bounds are
-/// at the places, and at the cube's corners.
+/// Returns primitives whose bounds are at n^3 points of a cube, where grids have their planes, and
+/// at the cube's corners.
 Scene lattice(int n, bool spheres) {
     Scene scene;
     for (int i = 0; i < n * n * n; ++i) {
@@ -31,7 +31,8 @@ Scene lattice(int n, bool spheres) {
     return scene;
 }
 
-/// Rays along planes, diagonals of faces and cubes, through corners, from inside, beside and afar.
+/// Returns rays along planes, and diagonals of faces and cubes, through corners, from inside, next
+/// to the scene and far away.
 std::vector<Ray> rays_along_planes(int n, std::size_t count) {
     Random random(count);
     std::vector<Ray> rays;
@@ -62,7 +63,7 @@ void require_hits_of_brute_force(const Scene& scene, const std::vector<Ray>& ray
     CHECK(hits > rays.size() / 100);
 }
 
-/// A mesh of the sphere of radius 1, in a floor and walls of triangles 100 times as large.
+/// Returns a mesh of a unit sphere, with a floor and walls of triangles 100 times as large.
 Scene teapot_in_stadium(std::size_t count) {
     Scene scene = make_scene("closed_mesh", count);
     Random random(1);

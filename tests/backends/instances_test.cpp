@@ -1,4 +1,5 @@
-// Instances: every exact backend finds what the kernels find for rays taken into the objects.
+// Instances: every exact backend finds the hits that the kernels find for rays transformed to
+// object space.
 #include "bench/hard_cases/hard_case.h"
 #include "core/intersect/placement.h"
 #include "core/scene/transformed.h"
@@ -10,7 +11,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Every primitive, and every one of every instance, by the rule for ties.
+/// Returns the hit among all primitives and those of all instances, by the rule for ties.
 Hit all_tested(const Geometry& geometry, const Ray& ray) {
     Hit best{ray.tmax, no_index};
     const auto offer = [&](std::uint32_t primitive, std::uint32_t instance) {
@@ -40,7 +41,7 @@ std::vector<Ray> rays_of(const hard::CaseSetup& setup, std::uint64_t count) {
     return rays;
 }
 
-/// Counts rays of which any question to the backend gets another answer than `expected`.
+/// Counts rays for which any query of the backend differs from `expected`.
 std::size_t count_wrong(const Backend& backend, const Geometry& geometry,
                         const std::vector<Ray>& rays, const std::vector<Hit>& expected) {
     const auto intersector = backend.build(geometry);
@@ -146,7 +147,7 @@ TEST_CASE("Given an instance just before a primitive, it is found after that", "
 
 namespace {
 
-/// Boxes of sizes from 1e-7 to 10, by instances of one box, each at place(size, random).
+/// Instances of one box with sizes from 1e-7 to 10, each at place(size, random).
 template <class Place>
 Geometry boxes_of_all_sizes(int count, const Place& place) {
     Geometry geometry;
@@ -161,7 +162,7 @@ Geometry boxes_of_all_sizes(int count, const Place& place) {
     return geometry;
 }
 
-/// A ray at an edge of an instance's box, from some or very many of its sizes away.
+/// Returns a ray at an edge of an instance's box, from a few or very many sizes away.
 Ray ray_at_edge(const Geometry& geometry, Random& random) {
     const std::uint32_t number = random.index(geometry.instances.size());
     const Affine map = geometry.instances[number].to_world();

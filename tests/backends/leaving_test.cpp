@@ -1,4 +1,4 @@
-// Rays that say which primitive they have left, and so cannot meet again.
+// Rays that exclude the primitive that they left.
 #include "core/intersect/kernels.h"
 #include "tests/backends/scenes.h"
 #include "tests/backends/test_rays.h"
@@ -15,7 +15,7 @@ Ray without_hint(Ray ray) {
     return ray;
 }
 
-/// Rays from where others hit a scene, to both sides.
+/// Returns rays from the hits of others, to both sides.
 std::vector<Ray> leaving_rays(const Scene& scene, std::size_t count) {
     Random random(count);
     std::vector<Ray> rays;

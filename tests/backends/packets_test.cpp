@@ -1,4 +1,4 @@
-// Rays that are taken together find what each finds alone, and are taken together.
+// Packets find the same hits as single rays, and are really used.
 #include <atomic>
 
 #include "core/intersect/packet_intersector.h"
@@ -13,7 +13,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Counts the rays that come to a backend.
+/// Counts the rays that are passed to a backend.
 class CountingBackend : public BatchIntersector {
   public:
     explicit CountingBackend(const BatchIntersector& backend) : backend_(backend) {}
@@ -34,8 +34,8 @@ class CountingBackend : public BatchIntersector {
     const BatchIntersector& backend_;
 };
 
-/// Rays next to one another, in bundles of 1 to 64, about rays at corners, edges and anywhere. Some
-/// end or begin at their hits.
+/// Returns coherent rays in groups of 1 to 64, around rays at corners, at edges and anywhere. Some
+/// have a tmin or tmax at their hit.
 std::vector<Ray> bundles(const Scene& scene, std::size_t number, Random& random) {
     std::vector<Ray> rays;
     for (const Ray& ray : make_rays(scene, number, random)) {
@@ -58,8 +58,8 @@ std::vector<Ray> bundles(const Scene& scene, std::size_t number, Random& random)
     return rays;
 }
 
-/// Asks for rays of a span or a stream. Returns how many answers are other than those of each ray
-/// alone.
+/// Traces the rays of a span or a stream. Returns the number of results that differ from those of
+/// single rays.
 template <class Rays>
 std::size_t count_wrong(const Scene& scene, const BatchIntersector& intersector, const Rays& rays) {
     std::vector<Hit> hits(rays.size());

@@ -1,5 +1,5 @@
 // Given the same ray, every exact backend finds the same primitive at the same t, to the last bit,
-// and says that a ray is occluded exactly when it finds something.
+// and reports occlusion exactly if there is a hit.
 #include "tests/backends/scenes.h"
 #include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
@@ -19,7 +19,7 @@ std::optional<Hit> expected_hit(const Scene& scene, const Ray& ray) {
     return can_hit(ray) ? brute_force(scene, ray) : std::nullopt;
 }
 
-/// The rays, and those around every fourth's hit, with what they must find.
+/// The rays, and those around every fourth ray's hit, with their expected hits.
 struct Question {
     Ray ray;
     std::optional<Hit> expected;
@@ -38,7 +38,7 @@ std::vector<Question> questions_for(const Scene& scene, std::size_t count, std::
     return questions;
 }
 
-/// Counts the rays to which a backend that is asked them all at once gives another answer.
+/// Counts the rays for which a backend that traces them in one batch finds another hit.
 std::size_t count_wrong_in_batch(const Intersector& intersector,
                                  const std::vector<Question>& questions) {
     std::vector<Ray> rays;

@@ -1,4 +1,4 @@
-// A defect planted in the tree that bvh, grid and embree are made from is found by comparing with
+// A defect planted in the tree shared by bvh, grid and embree is found by comparing with
 // `embree-user` and `none`, which agree with each other.
 #include <algorithm>
 
@@ -57,7 +57,7 @@ std::vector<std::size_t> leaves_of(const BvhTree& tree) {
     return leaves;
 }
 
-/// Rays, and the hits of the two backends that do not stand on the shared tree.
+/// Rays, and the hits of the two backends that do not use the shared tree.
 class ReferenceHits {
   public:
     explicit ReferenceHits(const Scene& scene) : scene_(scene) {
@@ -74,7 +74,7 @@ class ReferenceHits {
     /// The number of rays on which the two differ.
     std::size_t disagreements() const { return disagreements_; }
 
-    /// Returns whether a backend over this tree answers any ray otherwise.
+    /// Returns whether any hit of a backend over this tree differs.
     bool differ_from(const BvhTree& tree) const {
         const BvhOfTree bvh(scene_.geometry, tree);
         for (std::size_t i = 0; i < rays_.size(); ++i) {
@@ -103,7 +103,7 @@ std::size_t found_defects(const ReferenceHits& reference, const BvhTree& whole,
     return count;
 }
 
-/// The leaf's primitives are in no leaf any more: another one's stand in their place.
+/// Replaces the leaf's primitives by those of another leaf, so that they are in no leaf.
 void drop(const BvhTree& tree, BvhNode& leaf) {
     const auto other = std::find_if(tree.nodes.begin(), tree.nodes.end(),
                                     [&](const BvhNode& n) { return n.is_leaf() && &n != &leaf; });

@@ -1,4 +1,4 @@
-// Triangles cut into pieces before the BVH is built: what the pieces' boxes must hold, and where
+// Triangles split before the BVH is built: what the boxes of the pieces must contain, and where
 // they are used.
 #include "core/accel/tree/presplit.h"
 
@@ -40,7 +40,7 @@ Scene dense_scene() {
     return scene;
 }
 
-/// The same among needles in all directions.
+/// The same among randomly oriented needles.
 Scene scene_of_needles() {
     Scene scene = dense_scene();
     Random random(2);
@@ -51,7 +51,7 @@ Scene scene_of_needles() {
     return scene;
 }
 
-/// The same above two triangles that are far larger.
+/// The same above two far larger triangles.
 Scene scene_on_a_slope() {
     Scene scene = dense_scene();
     const Vec3 a(-5, -3, -5), b(5, 0, -5), c(5, 2, 5), d(-5, -1, 5);
@@ -60,14 +60,14 @@ Scene scene_on_a_slope() {
     return scene;
 }
 
-/// A point of a triangle whose corners are whole numbers below 2^40: exact.
+/// Returns an exact point of a triangle whose vertices are integers below 2^40.
 Vec3 point_of(const WorldCorners& corners, Random& random) {
     const std::uint32_t a = random.index(65), b = random.index(65 - a);
     const double u = a / 64.0, v = b / 64.0;
     return corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]);
 }
 
-/// Whole numbers around a place, of a needle more often than not.
+/// Returns a triangle with integer coordinates around a point, most often a needle.
 WorldCorners whole_corners(const Vec3& place, Random& random) {
     const auto whole = [](Vec3 v) {
         for (int k = 0; k < 3; ++k) v[k] = std::round(v[k]);
@@ -84,7 +84,8 @@ std::vector<Bounds> pieces_of(const Corners& corners, int cuts) {
     return pieces;
 }
 
-/// But for what boxes of pieces may be too small.
+/// Returns whether a box contains a point, up to the error by which boxes of pieces may be too
+/// small.
 bool holds(const Bounds& box, const Vec3& point) {
     constexpr double error = piece_error;
     bool inside = true;

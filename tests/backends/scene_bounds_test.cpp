@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint32_t count = 20'000;
 
-/// Spheres, with a plane for every seventh, and for every fifth of those left a sphere that is not
-/// there.
+/// Returns spheres, of which every seventh is replaced by a plane, and every fifth of the rest by a
+/// degenerate sphere.
 Scene scene_of_all_sorts() {
     Scene scene;
     Random random(1);

@@ -21,7 +21,7 @@ void add_triangle(Scene& scene, const Vec3& a, const Vec3& b, const Vec3& c, Sid
     scene.geometry.add(Triangle{{first, first + 1, first + 2}}, 0, sides);
 }
 
-/// A concave or convex outline of 4 to 7 corners around `place`.
+/// Adds a concave or convex polygon of 4 to 7 corners around `place`.
 void add_polygon(Scene& scene, Random& random, const Vec3& place, double size, Sides sides) {
     Vec3 u, v;
     orthonormal_basis(random.direction(), u, v);
@@ -35,7 +35,7 @@ void add_polygon(Scene& scene, Random& random, const Vec3& place, double size, S
     scene.geometry.add(Polygon{corners}, 0, sides);
 }
 
-/// Adds a quadric of any kind, through its box's middle or near it.
+/// Adds a random quadric through the centre of its box or near it.
 void add_quadric(Scene& scene, Random& random, const Vec3& place, double size, Sides sides) {
     const Vec3 half = abs(random.in_cube(size));
     Quadric s{place, {}, {place - half, place + half}};
@@ -45,13 +45,13 @@ void add_quadric(Scene& scene, Random& random, const Vec3& place, double size, S
     scene.geometry.add(s, 0, sides);
 }
 
-/// Sheared, and in half of all cases mirrored.
+/// Returns a map that shears, and in half of all cases mirrors.
 Affine any_map(const Vec3& place, double size, Random& random) {
     const Vec3 x = random.in_cube(size), y = random.in_cube(size);
     return {x, y, random.in_cube(size), place};
 }
 
-/// A part of a surface of revolution, of any kind.
+/// Returns a random partial surface of revolution.
 Revolved any_revolved(const Affine& map, Random& random) {
     const std::array profiles = {profiles::sphere(random.uniform(-1, 0), random.uniform(0.25, 1)),
                                  profiles::cylinder(),
@@ -63,7 +63,7 @@ Revolved any_revolved(const Affine& map, Random& random) {
     return {map, profiles[random.index(profiles.size())], Sector(degrees)};
 }
 
-/// Adds a part of a curve of any type.
+/// Adds a segment of a curve of a random type.
 void add_curve(Scene& scene, Random& random, const Affine& map, Sides sides) {
     BezierCurve c{};
     for (Vec3f& p : c.points) p = Vec3f(random.in_cube());
@@ -131,7 +131,7 @@ Scene only(std::size_t count) {
     return scene;
 }
 
-/// One in fifty is a plane, or they would hide the rest.
+/// Only one in fifty is a plane, since planes hide the rest.
 ShapeKind any_kind(Random& random) {
     const auto kind = static_cast<ShapeKind>(random.index(shape_kinds));
     const bool keep = kind != kind_of<Plane>() || random.one_in(8);
@@ -157,7 +157,7 @@ Scene one_sided(std::size_t count) {
     return scene;
 }
 
-/// Every shape eight times, the copies far apart in the numbering.
+/// Every shape eight times, with the numbers of the copies far apart.
 Scene duplicates(std::size_t count) {
     Scene scene = mix(count / 8 + 1);
     const std::vector<Primitive> once = scene.geometry.primitives.list();
@@ -207,7 +207,7 @@ Scene huge_and_tiny(std::size_t count) {
     return scene;
 }
 
-/// Scene of which two primitives reach far beyond all others.
+/// Scene of which two primitives extend far beyond all others.
 Scene outliers(std::size_t count) {
     Scene scene = mix(count);
     add_triangle(scene, Vec3(-1, -1, 0.1), Vec3(1, -1, 0), Vec3(0, 1e23, 0), Sides::both);

@@ -1,4 +1,4 @@
-// Filter of the grid's packs of spheres, against what the kernel hits, for every instruction set
+// Compares the filter of the grid's packs of spheres with the kernel, for every instruction set
 // that it is compiled for and this machine has.
 #include "core/numerics/instruction_sets.h"
 
@@ -37,7 +37,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Counts what the filter does with every sphere of a scene that the kernel hits, or misses.
+/// Counts the filter's results for the spheres of a scene that the kernel hits or misses.
 class Trial {
   public:
     explicit Trial(const Scene& scene) : scene_(scene) {

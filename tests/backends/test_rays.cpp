@@ -63,7 +63,8 @@ class RayMaker {
         return a + (random_.one_in(4) ? 0.5 : random_.uniform(0, 1)) * (b - a);
     }
 
-    /// Point on a sphere's silhouette, seen from about the scene's middle, to double precision.
+    /// Returns a point on a sphere's silhouette as seen from near the scene's centre, to double
+    /// precision.
     Vec3 on_silhouette() {
         const auto& spheres = scene_.geometry.all<Sphere>();
         if (spheres.empty()) return in(all_);

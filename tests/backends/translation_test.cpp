@@ -1,5 +1,5 @@
-// Moving a scene and its rays, by sums that are exact, changes no hit: kernels see differences
-// only, and the accelerators' frame moves along.
+// Translating a scene and its rays by exact sums changes no hit: kernels use differences only, and
+// the accelerators' normalized space is translated, too.
 #include "embree_backend/embree_backends.h"
 #include "tests/backends/scenes.h"
 #include "tests/backends/test_rays.h"
@@ -13,7 +13,7 @@ namespace {
 
 const Vec3 far_away(0x1p20, -0x1p20, 0x1p20);
 
-/// Rounds coordinates so that they are still doubles after the move, which then is exact.
+/// Rounds coordinates so that their translation is exact in double.
 Scene snapped(const Scene& scene) {
     return transformed(transformed(scene, 1, far_away), 1, -far_away);
 }
@@ -39,7 +39,7 @@ std::size_t count_different(const Backend& backend, const Scene& scene,
 TEST_CASE("Given a scene moved by 2^20 of its extents, every exact backend gives the same hits",
           "[backends]") {
     for (const SceneFamily& family : scene_families()) {
-        if (family.name == "far") continue;       // it is where others are moved to
+        if (family.name == "far") continue;       // it is already far away
         if (family.name == "outliers") continue;  // no sum with 1e23 is exact
         const Scene scene = snapped(family.make(200));
         Random random(8);

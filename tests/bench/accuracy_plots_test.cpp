@@ -1,4 +1,4 @@
-// What the plots of etalon-bench accuracy say beside their points.
+// Texts in the plots of etalon-bench accuracy.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// The report as Chromium shows it, where there is one.
+// The report in Chromium, if it is installed.
 #include "bench/report/html/html.h"
 #include "bench/report/sections/sections.h"
 #include "tests/app/run_program.h"
@@ -9,7 +9,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Empty where there is none that runs.
+/// Returns the path of a working browser; empty if there is none.
 std::string chromium(const Folder& folder) {
     for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
         const std::string version = std::string(name) + " --version";
@@ -18,8 +18,8 @@ std::string chromium(const Folder& folder) {
     return {};
 }
 
-/// Shows the page as wide as a phone and as a desk's screen, and says of each how wide its content
-/// is, which texts of charts are cut, and what is behind the text.
+/// Renders the page at the widths of a phone and a desktop screen, and reports for each the width
+/// of its content, clipped chart texts and the background behind texts.
 const std::string probe = R"(<!DOCTYPE html><body>
 <iframe width="390" height="800" style="border:0" src="index.html"></iframe>
 <iframe width="1280" height="800" style="border:0" src="index.html"></iframe>

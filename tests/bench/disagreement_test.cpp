@@ -12,7 +12,7 @@ using namespace etalon::speed;
 
 namespace {
 
-/// Two triangles one behind the other, seen along -z: the nearer is number 0.
+/// Two triangles, one behind the other along -z: the nearer one is number 0.
 Scene two_layers() {
     Scene scene;
     scene.geometry.vertices = {{-1, -1, 0},  {1, -1, 0},  {0, 1, 0},

@@ -1,4 +1,4 @@
-// CPU time to equal error, of curves that follow known laws.
+// CPU time to equal error, for curves that follow known power laws.
 #include "bench/convergence/equal_error.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Tables of other programs' images: as they are read, and through the program.
+// Tables of other programs' images: the reader, and the program as a process.
 #include "bench/convergence/foreign_table.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// etalon-bench frames: the parts of a frame, and the rays that are asked again.
+// etalon-bench frames: the stages of a frame, and the recorded rays.
 #include <nlohmann/json.hpp>
 
 #include "app/common/backends.h"
@@ -18,7 +18,7 @@ ProgramResult run_frames(const Folder& folder, const std::string& arguments) {
     return folder.shell("exec '" ETALON_BINARY_DIR "/bin/etalon-bench' frames " + arguments);
 }
 
-/// Counts the rays that it is asked for.
+/// Counts the rays passed to it.
 class CountingBackend : public BatchIntersector {
   public:
     void closest(std::span<const Ray> rays, std::span<Hit> hits) const override {

@@ -1,4 +1,4 @@
-// The report: as HTML of figures that nobody measured, and from outside.
+// The HTML report of made-up figures, and the report command as a process.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-// What the report begins with, and its figures for programs.
+// Key figures of the report, and its machine-readable figures.
 #include <cmath>
 #include <nlohmann/json.hpp>
 

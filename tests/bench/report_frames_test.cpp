@@ -1,4 +1,4 @@
-// The frames of a report: of the project's scenes, of families, and of files that were asked for.
+// The frames of a report: of the project's scenes, of families, and of given files.
 #include <filesystem>
 
 #include "bench/report/command_lines.h"

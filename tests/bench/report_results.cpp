@@ -93,7 +93,7 @@ void add_foreign(Results& results) {
     results.foreign.add(missing);
 }
 
-/// The page does not look into it; a browser shows a broken image of the right size.
+/// The page does not check it; a browser shows a broken image of the right size.
 const std::string no_png = "\x89PNG";
 
 }  // namespace

@@ -15,7 +15,7 @@ using namespace etalon::bench;
 
 namespace {
 
-/// A size that takes no time, and how many primitives it promises.
+/// A small size, and its expected number of primitives.
 struct Small {
     std::string_view family;
     std::size_t size, primitives;

@@ -1,4 +1,4 @@
-// The tables of etalon-bench speed, of figures given by hand.
+// The tables of etalon-bench speed for made-up figures.
 #include "bench/speed/report/speed_table.h"
 
 #include <sstream>

@@ -1,4 +1,4 @@
-// etalon-bench speed from outside.
+// etalon-bench speed as a process.
 #include <nlohmann/json.hpp>
 
 #include "bench/speed/pinned.h"

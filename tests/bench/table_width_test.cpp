@@ -1,4 +1,4 @@
-// The tables that etalon-bench prints: as wide as a terminal, and explained.
+// The tables printed by etalon-bench: fitted to the terminal, and with a legend.
 #include <algorithm>
 #include <sstream>
 

@@ -18,7 +18,7 @@ TEST_CASE("Scattering is the same with both directions exchanged", "[bsdf]") {
             const Vec3 a = random.direction(), b = random.direction();
             if (shows_backs(item.lobes, local(bsdf, a), local(bsdf, b))) continue;
             const double cos_a = a.dot(bsdf.ns()), cos_b = b.dot(bsdf.ns());
-            // Radiance over the square of the index is what is kept.
+            // Radiance divided by the square of the index of refraction is conserved.
             const double spread = cos_a * cos_b > 0 ? 1 : cos_a > 0 ? eta * eta : 1 / (eta * eta);
             const double there = mean(bsdf.evaluate(a, b).f), back = mean(bsdf.evaluate(b, a).f);
             CHECK(there * spread == Approx(back).epsilon(2e-3).margin(1e-5));
@@ -26,7 +26,8 @@ TEST_CASE("Scattering is the same with both directions exchanged", "[bsdf]") {
     }
 }
 
-TEST_CASE("The geometric normal says what is reflected, the shading normal the cosines", "[bsdf]") {
+TEST_CASE("The geometric normal decides reflection or transmission, the shading normal the cosines",
+          "[bsdf]") {
     const Vec3 ng(0, 0, 1), ns = normalized(Vec3(1, 0, 1));
     Bsdf bsdf(ng, ns, {0, 1, 0});
     bsdf.add(LambertReflection{Color(1)});

@@ -8,7 +8,7 @@
 using namespace etalon;
 using namespace etalon::test;
 
-TEST_CASE("A table has the values of what it was made of", "[bsdf]") {
+TEST_CASE("A table has the values that it was made from", "[bsdf]") {
     FourierTable table = table_of(cosines_of_table(20), 20, glossy_both_sides);
     for (const double eta : {1.0, 1.5}) {
         table.eta = static_cast<float>(eta);
@@ -24,7 +24,7 @@ TEST_CASE("A table has the values of what it was made of", "[bsdf]") {
                     const Color expected = glossy_both_sides(wo, wi) * static_cast<float>(spread);
                     const Color f = lobe.evaluate(Vec3f(wo), Vec3f(wi)).f;
                     CAPTURE(o, i, phi, eta);
-                    // Sines, and with them what depends on phi, are no splines near the normal,
+                    // Sines, and so all terms that depend on phi, are not splines near the normal,
                     // which is left out.
                     for (int c = 0; c < 3; ++c) CHECK(f[c] == Approx(expected[c]).epsilon(0.05));
                 }
@@ -33,7 +33,7 @@ TEST_CASE("A table has the values of what it was made of", "[bsdf]") {
     }
 }
 
-TEST_CASE("A table's albedo is what it scatters", "[bsdf]") {
+TEST_CASE("A table's albedo is the light that it scatters", "[bsdf]") {
     const FourierTable table = table_of(cosines_of_table(20), 20, glossy_both_sides);
     const FourierScattering lobe(table);
     FourierScattering dimmed = lobe;
@@ -65,7 +65,7 @@ TEST_CASE("A table without light scatters none", "[bsdf]") {
     CHECK(lobe.evaluate(wo, wo).f == Color(0.0F));
     CHECK(lobe.evaluate(wo, wo).pdf == 0);
     CHECK(lobe.albedo(wo) == Color(0.0F));
-    // One that knows only steep directions says nothing of others.
+    // A table with steep directions only has no values for others.
     const FourierTable steep =
         table_of({0.5F, 0.7F, 1}, 4, [](const Vec3&, const Vec3&) { return Color(0.2F); });
     CHECK_FALSE(FourierScattering(steep).sample(Vec3f(1, 0, 0), {0.3, 0.4}));

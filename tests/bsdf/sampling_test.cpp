@@ -13,8 +13,8 @@ std::optional<BsdfSample> draw(const Bsdf& bsdf, const Vec3& wo, Random& random)
     return bsdf.sample(wo, std::min(choice, std::nextafter(1.0F, 0.0F)), {u, v});
 }
 
-/// Probability that samples of the smooth lobes are as likely as `density_factor` times the density
-/// that the surface says.
+/// Returns the probability that samples of the smooth lobes are distributed by `density_factor`
+/// times the surface's pdf.
 double chi_square(const std::vector<Lobe>& lobes, const Vec3& eye, double density_factor = 1) {
     const Bsdf bsdf = bsdf_of(lobes);
     const Vec3 wo = world(bsdf, eye);
@@ -49,7 +49,7 @@ TEST_CASE("The test of densities finds one that is off by a fiftieth", "[bsdf]")
     CHECK(chi_square(white, {0, 0, 1}, 0.98) < 1e-4);
 }
 
-TEST_CASE("A sample says what evaluating its direction says", "[bsdf]") {
+TEST_CASE("A sample's value and pdf are those of evaluating its direction", "[bsdf]") {
     Random random(3);
     for (const LobeCase& item : lobe_cases()) {
         const Bsdf bsdf = bsdf_of(item.lobes);
@@ -76,7 +76,7 @@ TEST_CASE("Diffuse lobes fill the hemisphere of the geometric normal", "[bsdf]")
         {OrenNayarReflection(Color(1), 30)},
         {LambertTransmission{Color(1)}},
         {LambertReflection{Color(0.5F)}, LambertTransmission{Color(0.5F)}}};
-    // Shading normals to which the eye is above and below.
+    // Shading normals with the viewer above and below.
     for (const Vec3& ns : {normalized(Vec3(0.5, 0, 1)), normalized(Vec3(1.5, 0, 1))}) {
         for (const std::vector<Lobe>& lobes : cases) {
             Bsdf bsdf(ng, ns, Vec3(0, 1, 0));

@@ -6,7 +6,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Light that a sample carries over that of its direction, as power.
+/// Returns the power of a sample relative to that of its direction.
 double carried(const Bsdf& bsdf, const BsdfSample& s) {
     return mean(s.f) * std::abs(s.wi.dot(bsdf.ns())) / s.pdf * s.eta * s.eta;
 }

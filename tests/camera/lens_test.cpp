@@ -1,4 +1,4 @@
-// Lenses of several surfaces: where they focus, what they let through.
+// Lenses of several surfaces: focus and vignetting.
 #include <array>
 #include <cmath>
 

@@ -6,7 +6,7 @@ using namespace etalon;
 
 namespace {
 
-/// Share of light that a metal reflects at normal incidence.
+/// Returns the reflectance of a metal at normal incidence.
 double reflected(double n, double k) {
     return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
 }

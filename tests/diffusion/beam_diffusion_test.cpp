@@ -24,7 +24,7 @@ TEST_CASE("Moments of Fresnel's reflectance are its integrals", "[diffusion]") {
     }
 }
 
-TEST_CASE("Light of a beam comes out as pbrt-v3 says", "[diffusion]") {
+TEST_CASE("Beam diffusion agrees with pbrt-v3", "[diffusion]") {
     CHECK(fresnel_moment1(0.7F) == Approx(0.0405673).epsilon(1e-4));
     CHECK(fresnel_moment2(0.7F) == Approx(0.01768671).epsilon(1e-4));
     CHECK(fresnel_moment1(1.5F) == Approx(0.2982972).epsilon(1e-4));
@@ -37,7 +37,7 @@ TEST_CASE("Light of a beam comes out as pbrt-v3 says", "[diffusion]") {
     CHECK(single_scattering(medium, 0.5F) == Approx(0.004109999).epsilon(1e-4));
 }
 
-TEST_CASE("A table tells the albedo that is seen, and the one behind it", "[diffusion]") {
+TEST_CASE("A table gives the effective albedo, and its inverse", "[diffusion]") {
     const DiffusionTable table(0.3F, 1.4F);
     CHECK(table.at(0.5544733F).albedo() == Approx(0.03864217).epsilon(1e-3));
     CHECK(table.at(0.9827393F).albedo() == Approx(0.4683554).epsilon(1e-3));

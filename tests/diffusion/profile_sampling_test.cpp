@@ -13,8 +13,8 @@ namespace {
 
 const Vec3 position(1, 2, 3);
 
-/// A plane through the point, of this normal, hit by probes: the light that comes out at the point
-/// where as much goes in everywhere, by samples.
+/// A plane with this normal through the point, hit by probes: estimates the light that leaves at
+/// the point under uniform irradiance.
 Color light_from_plane(const SpreadProfile& profile, const BsdfFrame& frame, const Vec3& normal) {
     const ProfileSampling sampling(profile, frame, position);
     Random random(5);
@@ -42,8 +42,8 @@ TEST_CASE("Probes find the light of a plane, whatever the frame", "[diffusion]")
             const Color light = light_from_plane(profile, frame, normal);
             for (int c = 0; c < 3; ++c) {
                 INFO(name << ", channel " << c << ", normal " << normal.z);
-                // Probes end where a thousandth of a channel's light is left, and sooner for
-                // others.
+                // Probes end where a thousandth of a channel's light remains, and earlier for other
+                // channels.
                 CHECK(light[c] < 1.005 * albedo[c]);
                 CHECK(light[c] > (normal == up ? 0.99 : 0.97) * albedo[c]);
             }

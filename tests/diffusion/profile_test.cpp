@@ -10,7 +10,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Integral over a plane of f, which may be infinite at the origin and reaches about this far.
+/// Integral of f over a plane; f may be infinite at the origin and has about this extent.
 template <class Function>
 double integral_over_plane(const Function& f, double reach) {
     constexpr int steps = 20000;
@@ -64,7 +64,7 @@ TEST_CASE("Distances are drawn with the density that is said of them", "[diffusi
             INFO(name << ", channel " << c);
             std::visit(
                 [&](const auto& p) {
-                    // Bins that are as likely by the density.
+                    // Bins of equal probability.
                     const double reach = p.sample(c, 0.999);
                     double chi = 0, edge = 0;
                     std::vector<double> edges;
@@ -75,7 +75,7 @@ TEST_CASE("Distances are drawn with the density that is said of them", "[diffusi
                         const double dr = 12 * reach * t * t / steps;
                         sum += 2 * std::numbers::pi * r * dr * p.density(c, static_cast<float>(r));
                         edge = r;
-                        if (sum >= (edges.size() + 1.0) / bins) edges.push_back(edge);
+                        if (sum >= (static_cast<double>(edges.size()) + 1) / bins) edges.push_back(edge);
                     }
                     edges.resize(bins - 1, edge);
                     std::vector<int> counts(bins);

@@ -1,5 +1,5 @@
-// One call for memory, or for a thread, fails, whichever it is: the program ends with the image
-// that it would have made or with a message, and leaves nothing else behind.
+// Makes one allocation or thread creation fail, each call in turn: the program must end with the
+// correct image or with a message, and leave no other files.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr const char* no_preload =
     "a build without sanitizers, which libraries can be preloaded into";
 
 struct Task {
-    std::string begin;    ///< end of the file's name from whose opening on calls are counted
+    std::string begin;    ///< suffix of the file after whose opening calls are counted
     std::string command;  ///< arguments of etalon, to make image.exr
 };
 
@@ -52,7 +52,7 @@ ProgramResult run(const Folder& f, const Task& task, const std::string& kind, lo
                     kind, at, task.begin, task.command));
 }
 
-/// What a run without a fault does.
+/// Result of a run without a fault.
 struct Whole {
     Whole(const Folder& f, const Task& task, const std::string& kind) {
         const ProgramResult r = run(f, task, kind, 0);
@@ -80,10 +80,10 @@ void check(const Folder& f, const Task& task, const std::string& kind, long at,
     CHECK(f.shell("ls -A | grep -vx -e image.exr -e count").out == "");
 }
 
-/// How many calls of a task fail in the usual tests.
+/// Number of calls of a task that fail in the default tests.
 constexpr long runs = 25;
 
-/// Lets every `step`-th call fail, and the last ones: those are made after the image was written.
+/// Makes every `step`-th call fail, and the last ones, which are made after the image was written.
 void check_each(const Folder& f, const Task& task, long step) {
     const Whole whole(f, task, "memory");
     REQUIRE(whole.calls > 100);
@@ -95,8 +95,7 @@ void check_each(const Folder& f, const Task& task, long step) {
 
 }  // namespace
 
-TEST_CASE("A call for memory that fails ends in words, or changes nothing",
-          "[faults][needs_preload]") {
+TEST_CASE("A failing allocation is reported, or changes nothing", "[faults][needs_preload]") {
     SKIP_UNLESS(can_preload, no_preload);
     const Folder f;
     for (const Task& task : renderings) {
@@ -104,7 +103,7 @@ TEST_CASE("A call for memory that fails ends in words, or changes nothing",
     }
 }
 
-TEST_CASE("A call for memory that fails where a library must not throw ends in words",
+TEST_CASE("A failing allocation where a library must not throw is reported",
           "[faults][needs_preload]") {
     SKIP_UNLESS(can_preload, no_preload);
     const Folder parts, f;
@@ -118,14 +117,14 @@ TEST_CASE("A call for memory that fails where a library must not throw ends in w
     check_each(f, merging, Whole(f, merging, "memory").calls / (4 * runs));
 }
 
-TEST_CASE("Every call for memory that fails ends in words, or changes nothing",
+TEST_CASE("Every failing allocation is reported, or changes nothing",
           "[faults][needs_preload][long]") {
     SKIP_UNLESS(can_preload, no_preload);
     const Folder f;
     for (const Task& task : renderings) check_each(f, task, 1);
 }
 
-TEST_CASE("A thread that cannot be started ends in words, or changes nothing",
+TEST_CASE("A thread that cannot be started is reported, or changes nothing",
           "[faults][needs_preload]") {
     SKIP_UNLESS(can_preload, no_preload);
     const Folder f;

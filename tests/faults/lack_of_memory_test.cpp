@@ -1,6 +1,5 @@
-// Scenes are loaded, built and rendered in this process while one call of operator new fails,
-// whichever it is: nothing is lost or used after its end then, which builds with the address
-// sanitizer see.
+// Loads, builds and renders scenes in this process while one call of operator new fails, each call
+// in turn. Builds with the address sanitizer detect leaks and uses after free.
 #include <memory>
 #include <new>
 
@@ -18,12 +17,12 @@ using etalon::fuzz::LimitedMemory;
 namespace {
 
 struct Task {
-    std::string scene;  ///< below scenes/
+    std::string scene;  ///< path below scenes/
     std::string backend;
 };
 
-// Not by Embree, of whose allocators one may be used after its end where its own calls have failed:
-// a program ends then.
+// Without Embree, which may use an allocator after its destruction if an allocation of its own
+// failed; then the program ends.
 const std::vector<Task> tasks = {
     {"features/glass.p3f", "bvh"},
     {"features/meshes.p3f", "grid"},
@@ -32,7 +31,7 @@ const std::vector<Task> tasks = {
 
 using Pixels = std::vector<Color>;
 
-/// Returns nothing where a lack of memory is told in words.
+/// Returns nothing if the lack of memory is reported as an error.
 std::optional<Pixels> pixels_of(const Task& task) {
     LoadResult loaded = load_scene(std::string(ETALON_SOURCE_DIR "/scenes/") + task.scene);
     if (!loaded.scene) return std::nullopt;
@@ -49,8 +48,8 @@ struct TaskResult {
     bool has_failed_call;
 };
 
-/// Renders a task in which one call of operator new fails. Checks nothing itself, as a check would
-/// allocate memory, too.
+/// Renders a task in which one call of operator new fails. Checks nothing itself, since a check
+/// would also allocate memory.
 TaskResult result_with_failing(std::uint32_t call, const Task& task) {
     const LimitedMemory memory(call);
     try {

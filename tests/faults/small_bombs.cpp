@@ -5,7 +5,7 @@
 namespace etalon::test {
 namespace {
 
-/// The bytes that hexadecimal digits stand for.
+/// Converts hexadecimal digits to bytes.
 std::string bytes(const std::string& digits) {
     std::string result;
     for (std::size_t i = 0; i < digits.size(); i += 2) {
@@ -14,7 +14,7 @@ std::string bytes(const std::string& digits) {
     return result;
 }
 
-// Headers of images of 65535 pixels a side and more, with little behind them.
+// Headers of images of 65535 and more pixels per side, followed by little data.
 const std::string png_rows = bytes(
     "89504e470d0a1a0a0000000d494844520000ffff0000ffff1006000000e69505130000002a49444154789cedc13101"
     "00"
@@ -76,7 +76,7 @@ std::string repeated(const std::string& text, int count) {
     return result;
 }
 
-/// A PBRT scene with `options` before its world and `world` in it.
+/// Returns a PBRT scene with `options` before WorldBegin and `world` after it.
 SmallBomb pbrt(const std::string& name, const std::string& options, const std::string& world,
                const std::string& file = {}, const std::string& content = {}) {
     return {name, "pbrt",
@@ -94,7 +94,7 @@ std::string film(const std::string& x, const std::string& y) {
     return "Film \"image\" \"integer xresolution\" " + x + " \"integer yresolution\" " + y + " ";
 }
 
-/// A scene in which each object holds `each` instances of the one before it.
+/// Returns a scene in which each object contains `each` instances of the previous one.
 std::string doubling(int levels, int each) {
     std::string text = "ObjectBegin \"a\" " + sphere + "ObjectEnd\n";
     char name = 'a';
@@ -105,7 +105,7 @@ std::string doubling(int levels, int each) {
     return text + "ObjectInstance \"" + name + "\"";
 }
 
-/// Textures or materials, each of which asks twice for the one before it.
+/// Returns textures or materials, each of which refers twice to the previous one.
 std::string mixed_textures(int levels) {
     std::string text = "Texture \"a\" \"float\" \"constant\"\n";
     char name = 'a';

@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t most_bytes_of_a_bomb = 1024;
 constexpr double most_memory = 1e9;
 
-/// Renders as a service would render a stranger's scene: limits of memory and time, and a watchdog,
-/// which should never be needed.
+/// Renders as a service would render an untrusted scene: with limits of memory and time, and a
+/// watchdog, which should never be needed.
 ProgramResult rendered(const Folder& f, const SmallBomb& bomb) {
     f.write("bomb." + bomb.format, bomb.text);
     if (!bomb.file.empty()) f.write(bomb.file, bomb.bytes);
@@ -23,7 +23,7 @@ ProgramResult rendered(const Folder& f, const SmallBomb& bomb) {
 
 }  // namespace
 
-TEST_CASE("A small scene that asks for too much ends in words or in an image, soon", "[faults]") {
+TEST_CASE("A small scene that asks for too much gives an error or an image, soon", "[faults]") {
     for (const SmallBomb& bomb : small_bombs()) {
         CAPTURE(bomb.name, bomb.format);
         REQUIRE(bomb.text.size() <= most_bytes_of_a_bomb);

@@ -1,5 +1,5 @@
-// Many renderings in one process, of scenes that change, by every backend: its memory stays what it
-// was after the first rounds.
+// Renders many changing scenes in one process, with every backend: memory must not grow after the
+// first rounds.
 #include <malloc.h>
 #include <unistd.h>
 
@@ -32,8 +32,8 @@ std::vector<std::string> scene_files() {
     return files;
 }
 
-/// Loads a scene, whole or cut off in its middle, and renders what there is of it. Returns whether
-/// there was anything.
+/// Loads a scene, whole or truncated, and renders the result, if any. Returns whether there was a
+/// scene.
 bool render_once(const std::string& file, const Backend& backend, bool whole) {
     std::ifstream stream(file, std::ios::binary);
     std::string text((std::istreambuf_iterator<char>(stream)), {});
@@ -49,7 +49,7 @@ bool render_once(const std::string& file, const Backend& backend, bool whole) {
     return rendering.counts.camera >= 12 * 9;
 }
 
-/// Memory of the process that is in use, in bytes, without what is kept for later allocations.
+/// Returns the memory in use by the process, in bytes, without memory cached by the allocator.
 std::size_t resident_bytes() {
     malloc_trim(0);
     std::ifstream status("/proc/self/statm");
@@ -58,7 +58,7 @@ std::size_t resident_bytes() {
     return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Renders every scene by every backend in each round.
+/// Renders every scene with every backend in each round.
 void check_flat(int warm_up, int rounds, std::size_t scenes_of_a_round) {
     const std::vector<std::string> files = scene_files();
     REQUIRE(files.size() > 20);

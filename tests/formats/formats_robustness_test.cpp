@@ -1,4 +1,4 @@
-// Damaged files of every format: whatever the damage, a sane scene or an error, at a cost in
+// Damaged files of every format: any damage must give a valid scene or an error, at a cost in
 // proportion to the file.
 #include <algorithm>
 
@@ -13,7 +13,7 @@ using namespace etalon;
 
 namespace {
 
-/// `text` as a file that came to harm.
+/// Returns `text` as a damaged file.
 void check_survives(const WholeScene& scene, const std::string& text) {
     CAPTURE(scene.format, text);
     const LoadResult r = load_text(scene.format, text);
@@ -64,7 +64,7 @@ TEST_CASE("a scene with any byte flipped gives a scene or an error") {
     }
 }
 
-TEST_CASE("what is left of a damaged scene can be written, and is then sane") {
+TEST_CASE("the valid rest of a damaged scene can be written and read again") {
     Random random(6);
     for (const WholeScene& scene : whole_scenes()) {
         for (int i = 0; i < 50; ++i) {
@@ -94,7 +94,7 @@ TEST_CASE("a scene with many bytes of chance gives a scene or an error") {
     }
 }
 
-TEST_CASE("words of a format in any order give a scene or an error") {
+TEST_CASE("keywords of a format in any order give a scene or an error") {
     Random random(5);
     for (const WholeScene& scene : whole_scenes()) {
         for (int i = 0; i < 2000; ++i) {

@@ -1,4 +1,4 @@
-// Files, and telling formats apart.
+// Loading of files, and detection of formats.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that is gone at the end of the test.
+/// A file that is removed at the end of the test.
 struct ScratchFile {
     ScratchFile(const std::string& name, const std::string& content)
         : path((fs::temp_directory_path() / ("etalon_" + name)).string()) {
@@ -79,7 +79,7 @@ TEST_CASE("- is standard input") {
     CHECK(r.scene->geometry.primitives.size() == 50000);
 }
 
-TEST_CASE("what is no readable file is an error") {
+TEST_CASE("an unreadable file is an error") {
     const std::string directory = fs::temp_directory_path().string();
     CHECK(only_message(load_scene(directory)) == directory + ": error: is a directory");
     CHECK(only_message(load_scene("/no/such.p3f")) ==
@@ -103,7 +103,7 @@ TEST_CASE("a file of nothing but comments has no camera") {
           "f.p3f:2:1: error: no camera, so nothing can be rendered");
 }
 
-TEST_CASE("a format is told from the content before the extension") {
+TEST_CASE("a format is detected by the content rather than by the extension") {
     CHECK(load_scene_text(good_camera, "f").scene);
     CHECK(load_scene_text(good_camera, "f.nff").scene);
     CHECK(load_scene_text("v from 0 0 1 at 0 0 0 up 0 1 0 angle 45 resolution 4 4", "f.p3f").scene);
@@ -142,7 +142,7 @@ TEST_CASE("a binary file is named so") {
           looks_like("a binary file"));
 }
 
-TEST_CASE("a format asked for is taken, and must be one") {
+TEST_CASE("a requested format is used, and must exist") {
     LoadOptions options;
     options.format = "p3f";
     CHECK(load_scene_text("b 1 1 1\n" + good_camera, "f", options).scene);

@@ -1,4 +1,4 @@
-// Lists so long that several threads read them: one thread reads the same.
+// Lists long enough to be read by several threads: one thread must read the same.
 #include <string>
 
 #include "core/formats/number_list.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t bytes = 5 << 20;
 
-/// Numbers with one of `blanks` behind each. In place of one in `rarity` blanks is `rare`.
+/// Returns numbers, each followed by one of `blanks`. One in `rarity` blanks is replaced by `rare`.
 std::string list_text(std::uint64_t seed, const std::vector<std::string>& blanks, unsigned rarity,
                       const std::string& rare) {
     Random random(seed);
@@ -36,7 +36,7 @@ template <class T>
 Read<T> read(const std::string& text, int threads) {
     const ThreadLimit limit(threads);
     Read<T> result;
-    result.values.push_back(7);  // a list may go on with what another began
+    result.values.push_back(7);  // a list may be appended to another
     const char* p = text.data();
     read_numbers(p, text.data() + text.size(), result.values);
     result.end = static_cast<std::size_t>(p - text.data());

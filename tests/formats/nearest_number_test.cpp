@@ -25,7 +25,7 @@ std::string formatted(const char* format, double value) {
     return {text, static_cast<std::size_t>(std::snprintf(text, sizeof text, format, value))};
 }
 
-/// A number as files of scenes have it: what a program prints.
+/// Returns a number as programs print it to scene files.
 std::string printed(Random& random) {
     static constexpr const char* formats[] = {"%.6f", "%g",    "%.9g", "%.3f",
                                               "%.0f", "%.17g", "%.4e"};
@@ -33,7 +33,7 @@ std::string printed(Random& random) {
     return formatted(formats[random.index(7)], (random.uniform() - 0.5) * scale);
 }
 
-/// Digits, with a point anywhere or nowhere, and perhaps an exponent.
+/// Returns digits with an optional point anywhere and an optional exponent.
 std::string anything(Random& random) {
     std::string text = random_digits(random, 1 + random.index(random.index(8) == 0 ? 40 : 17));
     if (random.index(4) != 0)
@@ -46,7 +46,8 @@ std::string anything(Random& random) {
     return text;
 }
 
-/// A number half way between two floats or two doubles, or beside it by a digit far behind.
+/// Returns a number half way between two floats or two doubles, or one that differs from it in a
+/// digit far to the right.
 std::string half_way(Random& random) {
     std::uint64_t bits = random.bits() & 0x7FFFFFFFFFFFFFFF;
     if (random.index(2) == 0) bits = (bits & ~std::uint64_t{0x1FFFFFFF}) | 0x10000000;
@@ -56,7 +57,8 @@ std::string half_way(Random& random) {
     text.resize(text.find_last_not_of('0') + 1);
     const unsigned which = random.index(3);
     if (which == 1) text += "0000000000000001";
-    if (which == 2 && text.back() != '.') --text.back();  // not a 0, as those are gone
+    if (which == 2 && text.back() != '.')
+        --text.back();  // not a 0, since trailing zeros are removed
     return text;
 }
 

@@ -1,4 +1,4 @@
-// v, b and l, and what stands where it should not.
+// v, b and l, and misplaced words.
 #include "tests/catch.h"
 #include "tests/formats/nff_text.h"
 
@@ -79,7 +79,7 @@ TEST_CASE("an NFF light that breaks off is left out") {
           });
 }
 
-TEST_CASE("what is no NFF is told and passed over") {
+TEST_CASE("words that are not NFF are reported and skipped") {
     const LoadResult r = load_nff_text("b 0 0 0 7\nf 1 1 1 1 0 0 0 0\nbox 0 0 0 1 1 1\ns 0 0 0 1");
     CHECK(messages(r) == Messages{"a.nff:1:9: warning: expected a keyword after 'b', found '7'",
                                   "a.nff:3:1: warning: unknown keyword 'box' (words skipped: 7)"});

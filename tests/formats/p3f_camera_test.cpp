@@ -54,7 +54,7 @@ TEST_CASE("the lines of a camera may have any order") {
     CHECK(r.scene->geometry.all<Sphere>().size() == 1);
 }
 
-TEST_CASE("a wrong word in a camera is taken for the one that is due if the numbers fit") {
+TEST_CASE("a wrong word in a camera is taken for the expected one if the numbers fit") {
     const LoadResult r = load_p3f_text(camera_with("at", "towards 1 1 1"));
     CHECK(messages(r) ==
           Messages{"a.p3f:3:1: warning: expected 'at', found 'towards'; read as 'at'"});
@@ -111,7 +111,7 @@ TEST_CASE("without a camera nothing can be rendered") {
     CHECK(messages(r).back() == "a.p3f:2:1: error: no camera" + errors_end);
 }
 
-TEST_CASE("a camera that cannot see is an error that says why") {
+TEST_CASE("an unusable camera is an error with the reason") {
     const auto error = [](const std::string& name, const std::string& line) {
         const LoadResult r = load_p3f_text(camera_with(name, line));
         CHECK_FALSE(r.scene);

@@ -39,7 +39,7 @@ TEST_CASE("a quad light takes at least one sample and not absurdly many") {
     CHECK(std::get<QuadLight>(many.scene->whitted().lights[0]).samples == 65536);
 }
 
-TEST_CASE("an unknown kind of light is named with what it may have been") {
+TEST_CASE("an unknown kind of light is reported with the nearest known one") {
     const LoadResult r = load_statements("light punctal 1 2 3 1 1 1\nl 0 0 0 1 1 1");
     CHECK(messages(r) ==
           Messages{"a.p3f:1:7: warning: expected punctual or quad after 'light', found "

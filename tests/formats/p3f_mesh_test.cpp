@@ -37,7 +37,7 @@ TEST_CASE("the vertices of a second mesh are its own") {
     CHECK(corners_of(*r.scene, 1) == std::vector{corner[0], corner[1], corner[3]});
 }
 
-TEST_CASE("a face that names no vertex is left out, and each wrong number told") {
+TEST_CASE("a face with a missing vertex is left out, and each wrong index is reported") {
     const LoadResult r =
         load_objects("mesh 4 4" + square + "1 2 5\n0 2 3\n1 -5 99999999999999\n1 3 4");
     CHECK(messages(r) ==
@@ -114,7 +114,7 @@ TEST_CASE("counts of a mesh below zero leave it out") {
     CHECK(r.diagnostics.size() == 1);
 }
 
-TEST_CASE("many small meshes cost what they hold") {
+TEST_CASE("many small meshes take memory in proportion to their size") {
     std::string text;
     for (int i = 0; i < 2000; ++i) text += "mesh 4 1" + square + "1 2 3\n";
     const LoadResult r = load_objects(text);

@@ -18,7 +18,7 @@ TEST_CASE("a comment may stand inside the camera and at the end without a line e
     CHECK(messages(load_p3f_text(text + "#end")).empty());
 }
 
-TEST_CASE("an unknown keyword is told once, with the nearest known one") {
+TEST_CASE("an unknown keyword is reported once, with the nearest known one") {
     const LoadResult r = load_objects("sphere 0 0 0 1\nMESH 1 2 3\ns 0 0 0 1\nbox1 0 0 0 1 1 1");
     CHECK(messages(r) ==
           Messages{"a.p3f:2:1: warning: unknown keyword 'sphere' (words skipped: 9)",
@@ -60,7 +60,7 @@ TEST_CASE("a statement that lacks a number does not swallow the next one") {
     CHECK(r.scene->geometry.all<Sphere>()[0].centre == Vec3(1, 1, 1));
 }
 
-TEST_CASE("a file that breaks off is told at its end") {
+TEST_CASE("a truncated file is reported at its end") {
     const LoadResult r = load_p3f_text(good_camera + good_material + "s 0 0");
     CHECK(messages(r) ==
           Messages{"a.p3f:11:6: warning: expected a number for the centre of 's', found the end "
@@ -71,7 +71,7 @@ TEST_CASE("a file that breaks off is told at its end") {
           "file");
 }
 
-TEST_CASE("numbers that are not finite are told as such and skip the statement") {
+TEST_CASE("numbers that are not finite are reported and skip the statement") {
     const LoadResult r =
         load_objects("s 0 nan 0 1\ns 0 -INF 0 1\ns 1e400 0 0 1\ns 0x10 0 0 1\ns 0 0 0 1");
     CHECK(messages(r) ==

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A directory that is gone at the end of the test.
+/// A directory that is removed at the end of the test.
 struct Scratch {
     explicit Scratch(const std::string& name) : path(fs::temp_directory_path() / name) {
         fs::remove_all(path);
@@ -64,7 +64,7 @@ TEST_CASE("accel is a name, or a number of the old dialect") {
     CHECK(load_statements("accel 2").settings.backend == "bvh");
 }
 
-TEST_CASE("an unknown accel is named with what it may have been") {
+TEST_CASE("an unknown accel is reported with the nearest known one") {
     const LoadResult r = load_statements("accel bhv\nspp 3");
     CHECK(messages(r) ==
           Messages{"a.p3f:1:7: warning: expected none, grid or bvh (or 0, 1, 2) after "

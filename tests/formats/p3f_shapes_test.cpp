@@ -21,7 +21,7 @@ struct OnlyObject {
     LoadResult result;
 };
 
-/// The message about an object that is left out, which must stand in line 2, column 1.
+/// Returns the message about an object that is left out, which must be at line 2, column 1.
 std::string complaint(const std::string& text) {
     const LoadResult r = load_objects(text + "\ns 0 0 0 1");
     CAPTURE(text);

@@ -52,14 +52,14 @@ std::string square(const std::string& encoding, bool quadrilateral = false) {
 
 const Floats square_positions{0, 0, 0.5F, 1, 0, 0.5F, 1, 1, 0.5F, 0, 1, 0.5F};
 
-/// A file of text with one triangle, but for what its header and its vertices say.
+/// Returns an ASCII file with one triangle and the given header and vertices.
 std::string ascii(const std::string& properties, const std::string& vertices,
                   const std::string& face = "3 0 1 2") {
     return "ply\nformat ascii 1.0\nelement vertex 3\n" + properties + "element face 1\n" + corners +
            "end_header\n" + vertices + face + "\n";
 }
 
-/// A mesh of everything that is read amid much that is not.
+/// A mesh with all properties that are read, among many that are not.
 struct Sample {
     Floats positions, normals, uvs;
     Indices indices;
@@ -135,7 +135,7 @@ TEST_CASE("a quadrilateral of a PLY file is cut as PBRT v3 cuts it") {
     }
 }
 
-TEST_CASE("what a mesh has no use for is passed over in every encoding") {
+TEST_CASE("unused properties of a mesh are skipped in every encoding") {
     for (const std::string& encoding : ply_encodings) {
         CAPTURE(encoding);
         Sample sample;
@@ -279,7 +279,7 @@ TEST_CASE("a header that is wrong is an error with its line") {
           "a.ply:7:1: error: the faces have no list 'vertex_indices'");
 }
 
-TEST_CASE("a word among the numbers of a PLY file is an error with its place") {
+TEST_CASE("a word among the numbers of a PLY file is an error with its position") {
     const Read r = read(ascii(xyz, "0 0 0 1 0 x\n0 1 0\n"));
     CHECK_FALSE(r.mesh);
     CHECK(r.messages ==

@@ -11,7 +11,8 @@ char color(const Scene& scene, const Primitive& p) {
     return c.x == 1 ? 'r' : c.y == 1 ? 'g' : '?';
 }
 
-/// The diffuse colours of the primitives, by letters, then of those of each instance.
+/// Returns the diffuse colours, as letters, of the primitives and then of each instance's
+/// primitives.
 std::string colors(const LoadResult& r) {
     const Geometry& g = r.scene->geometry;
     std::string letters;
@@ -122,7 +123,7 @@ TEST_CASE("references behind equal surfaces share an object") {
     CHECK(colors(r) == " r g r");
 }
 
-TEST_CASE("objects that have surfaces are one, whatever is current at the reference") {
+TEST_CASE("an object with its own surfaces is shared, independent of the current surface") {
     const LoadResult r =
         load_prt_text("instance a\n" + green + "sphere 0 0 0 1\nend_instance\n" + green +
                       "instance_of a 0 0 0\n" + red + "instance_of a 1 0 0\nsphere 3 0 0 1\n");
@@ -177,7 +178,7 @@ TEST_CASE("camera, lights and background in an instance count at once, and once"
     CHECK(r.scene->whitted().environment.background == Color(0, 0, 1));
 }
 
-TEST_CASE("errors in an instance are told once, where it is defined") {
+TEST_CASE("errors in an instance are reported once, where it is defined") {
     const LoadResult r = load_prt_text(
         red +
         "instance a\nsphere 0 0 0\nsphere 0 0 0 0\nsphere 0 0 0 1 5\nblob\nend_instance\n"
@@ -191,7 +192,7 @@ TEST_CASE("errors in an instance are told once, where it is defined") {
     CHECK(colors(r) == " r r");
 }
 
-TEST_CASE("what no instance may be is an error") {
+TEST_CASE("an invalid instance is an error") {
     const auto first_error = [](const std::string& text) {
         const LoadResult r = load_prt_text(red + text);
         CHECK_FALSE(r.scene);

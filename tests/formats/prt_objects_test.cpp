@@ -14,7 +14,7 @@ Material material_of(const std::string& statement) {
     return r.scene->whitted().materials[0];
 }
 
-/// The message about an object in line 7, which is left out.
+/// Returns the message about an object in line 7, which is left out.
 std::string complaint(const std::string& text) {
     const LoadResult r = load_prt_text(red + text);
     CAPTURE(text);
@@ -102,7 +102,7 @@ TEST_CASE("an hsphere is a sphere of matter about one of nothing") {
     CHECK(material(0).ior == 1.5);
     CHECK(material(1).ior == 1 / 1.5);
     CHECK(material(1).transmission == material(0).transmission);
-    CHECK(material(2).ior == 1.5);  // the hollow's is no one else's
+    CHECK(material(2).ior == 1.5);  // the hollow sphere has its own
 }
 
 TEST_CASE("an hsphere as thick as its radius is a sphere") {

@@ -50,7 +50,7 @@ TEST_CASE("a PRT camera that lacks a statement is none") {
                    "rendered"});
 }
 
-TEST_CASE("a PRT camera statement that is given twice or breaks off is told") {
+TEST_CASE("a repeated or incomplete PRT camera statement is reported") {
     CHECK(messages(load_prt_text("angle 30")) ==
           Messages{"a.prt:6:1: warning: a second 'angle'; it replaces the first"});
     const LoadResult r = load_prt_text("from 1 2\nlight 1 1 1");

@@ -95,7 +95,7 @@ bool all_finite(std::span<const Vec3> list) {
     return true;
 }
 
-/// Says what is wrong with a geometry of so many materials, if anything is.
+/// Returns what is wrong with a geometry of so many materials; empty if nothing is.
 std::string insanity(const Geometry& geometry, std::size_t materials) {
     if (!all_finite(geometry.vertices)) return "vertex";
     if (!all_finite(geometry.normals)) return "normal";

@@ -9,7 +9,8 @@ using namespace etalon;
 
 namespace {
 
-/// Leaves other bytes than 0 where functions called next keep what they do not set.
+/// Fills the stack with non-zero bytes, so that uninitialised variables of functions called next
+/// are detected.
 [[gnu::noinline]] void fill_stack() {
     std::array<volatile unsigned char, 1 << 16> bytes;
     for (volatile unsigned char& byte : bytes) byte = 0x3f;
@@ -17,7 +18,7 @@ namespace {
 
 }  // namespace
 
-TEST_CASE("where no eye is given it is at the origin, whatever memory held") {
+TEST_CASE("without eyepos the camera is at the origin, not uninitialised") {
     fill_stack();
     const LoadResult r = load_sce_text("# nothing\n");
     REQUIRE(r.scene);
@@ -109,7 +110,7 @@ TEST_CASE("the commands of one private program are named as such") {
                    "out"});
 }
 
-TEST_CASE("end ends the scene, and what follows is nobody's business") {
+TEST_CASE("end ends the scene, and the rest of the file is not read") {
     const LoadResult r = load_sce_text("nx 8\nend\nnx 9\nthese are notes\n");
     CHECK(messages(r).empty());
     CHECK(r.settings.resolution.x == 8);

@@ -6,7 +6,7 @@
 
 using namespace etalon;
 
-TEST_CASE("camera and picture are plain assignments that no matrix and no block touches") {
+TEST_CASE("camera and image are plain assignments, independent of matrices and blocks") {
     const LoadResult r = load_sce_text(
         "{\nscale 2 2 2\neyepos 9 9 9\neyepos 1 2 3\neyedir 0 4 0\neyeup 0 0 2\nwdist 20\n"
         "fovy_deg 60\nnx 64\nny 48\nmax_recursion 4\naasample 3\nbackground .25 .5 1\n}\n");

@@ -6,7 +6,7 @@ using namespace etalon;
 
 namespace {
 
-/// Returns the map of the unit sphere for what these lines put in place of a ball.
+/// Returns the map that these lines apply to the unit sphere.
 Affine ball(const std::string& lines) {
     const LoadResult r = load_sce_text(lines);
     CAPTURE(lines, messages(r));

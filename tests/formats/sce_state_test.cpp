@@ -87,7 +87,7 @@ TEST_CASE("shapes of one surface share a material") {
     CHECK(r.scene->geometry.primitives[4].material == 1);
 }
 
-TEST_CASE("what closes no block is reported and left out") {
+TEST_CASE("an unmatched closing command is reported and left out") {
     CHECK(said("nx 8\n  }\n") ==
           Messages{"a.sce:2:3: warning: '}' without a '{' before it; left out"});
     CHECK(said("pop_matrix\n") ==

@@ -30,7 +30,7 @@ std::vector<std::string> lost(const LoadResult& r) {
     return list;
 }
 
-/// Reads, writes, reads again, and wants the same scene, without a word, twice over.
+/// Reads, writes and reads again, twice, and requires the same scene without warnings.
 void check_round_trip(const LoadResult& first, const std::string& path) {
     CAPTURE(path);
     REQUIRE(first.scene);
@@ -47,7 +47,7 @@ void check_round_trip(const LoadResult& first, const std::string& path) {
           written.text);
 }
 
-/// A number as a file might have it, now and then with all its digits.
+/// Returns a number as in typical files, sometimes with all its digits.
 double some_number(Random& random) {
     const auto digits = static_cast<double>(random.index(2001)) - 1000;
     return random.index(4) == 0 ? random.uniform(-10, 10) : digits / 100;
@@ -110,7 +110,7 @@ TEST_CASE("objects of all kinds with all their digits are the same when written 
     }
 }
 
-TEST_CASE("every material that P3F can say is found again") {
+TEST_CASE("every material that P3F can express is read back") {
     Random random(22);
     const auto weight = [&] { return static_cast<double>(random.index(101)) / 100; };
     for (int i = 0; i < 100000; ++i) {
@@ -169,7 +169,7 @@ TEST_CASE("a plane is found again by three points, its normal up to a power of t
     CHECK(inexact == 0);
 }
 
-TEST_CASE("what P3F cannot say is listed, each kind once") {
+TEST_CASE("features that P3F cannot express are listed, each kind once") {
     LoadResult r = load_objects("s 0 0 0 1\ns 1 0 0 1\n");
     Scene& s = *r.scene;
     CHECK(lost(r).empty());

@@ -1,4 +1,4 @@
-// Scenes written as PBRT v3, held to the rules of its parser.
+// Scenes written as PBRT v3, checked by the rules of its parser.
 #include <filesystem>
 #include <map>
 #include <set>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 struct Directive {
     std::string name, type;
     std::vector<double> numbers;                             ///< those before any parameter
-    bool bracketed = false;                                  ///< whether brackets were about them
+    bool bracketed = false;                                  ///< whether they were in brackets
     std::map<std::string, std::vector<std::string>> values;  ///< "float fov" -> 45
 };
 
@@ -88,8 +88,8 @@ void check_parameters(const Directive& d) {
     if (d.values.contains("normal N")) CHECK(d.values.at("normal N").size() == 3 * vertices);
 }
 
-/// Parses as strictly as PBRT does: fixed counts, brackets for a matrix and for no other, names
-/// before they are used, blocks that close, options before the world.
+/// Parses as strictly as PBRT: fixed counts, brackets for matrices only, names defined before use,
+/// closed blocks, options before the world.
 std::vector<Directive> parsed(const std::string& text) {
     const std::map<std::string, std::size_t> counts = {
         {"LookAt", 9}, {"Scale", 3}, {"Transform", 16}};
@@ -238,7 +238,7 @@ TEST_CASE("what PBRT cannot say is listed") {
 
 namespace {
 
-/// The geometry of a PBRT file's shapes, in a scene of a Whitted look.
+/// Returns the geometry of a PBRT file's shapes, in a scene with Whitted materials.
 LoadResult with_shapes_of(const std::string& world) {
     LoadResult from = load_scene_text("WorldBegin\n" + world + "\nWorldEnd\n", "a.pbrt", {});
     REQUIRE(from.scene);

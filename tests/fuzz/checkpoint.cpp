@@ -9,7 +9,7 @@ namespace {
 
 const nlohmann::ordered_json identity = {{"scene", "any"}};
 
-/// A checkpoint of this state, whose hash fits.
+/// Returns a checkpoint file with this state and a valid hash.
 std::string checkpoint_of(std::string_view state) {
     std::string file = "etalon-checkpoint 1\n" + identity.dump() + "\n";
     file += state;

@@ -1,4 +1,4 @@
-// The words of a command line, one a line, up to where a program would begin to work.
+// Fuzzes the arguments of a command line, one a line, up to the point where rendering would begin.
 #include <CLI/CLI.hpp>
 #include <sstream>
 

@@ -1,4 +1,4 @@
-// libFuzzer's entry points, alike for all targets.
+// libFuzzer's entry points, the same for all targets.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -17,7 +17,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 namespace etalon::fuzz {
 namespace {
 
-/// Words of the dictionary that libFuzzer was given.
+/// Returns the words of libFuzzer's dictionary.
 std::vector<std::string>& words() {
     static std::vector<std::string> list;
     return list;
@@ -32,7 +32,7 @@ void read_words(const std::string& path) {
     }
 }
 
-/// Makes the paths among the arguments absolute, as the process is to leave its folder.
+/// Makes the paths among the arguments absolute, since the process changes its working directory.
 void fix_paths(std::span<char*> arguments) {
     static std::vector<std::string> kept;
     kept.reserve(arguments.size());
@@ -42,8 +42,8 @@ void fix_paths(std::span<char*> arguments) {
     }
 }
 
-/// Moves to an empty folder of its own, gone at exit: what a text names by a relative path is there
-/// or nowhere.
+/// Changes to an empty temporary directory, removed at exit, so that relative paths in an input
+/// find no other files.
 void enter_folder() {
     static const auto folder = std::make_unique<test::TemporaryFolder>();
     std::filesystem::current_path(*folder / "");
@@ -56,7 +56,8 @@ std::size_t mutate_text_in(std::uint8_t* data, std::size_t size, std::size_t mos
     return changed.size();
 }
 
-/// Where memory ends a program says so in words.
+/// Runs an input with limited memory. std::bad_alloc is allowed: the programs report it as an
+/// error.
 void run_limited(std::string_view input, std::uint32_t failing_call) {
     try {
         const LimitedMemory memory(failing_call);
@@ -66,11 +67,11 @@ void run_limited(std::string_view input, std::uint32_t failing_call) {
     }
 }
 
-/// True if an allocation is to fail, so that nothing need come of the input.
+/// True while an allocation is made to fail: then results are not checked.
 bool is_short_of_memory = false;
 
-/// Reads every eighth input once more, while one allocation fails. What was made before must be
-/// given back: libFuzzer looks for leaks.
+/// Reads every eighth input once more with one failing allocation. Nothing may leak, which
+/// libFuzzer checks.
 void run_short_of_memory(std::string_view input) {
     const std::uint64_t hash = hash64(input);
     if (!target.survives_lack_of_memory || hash % 8 != 0) return;

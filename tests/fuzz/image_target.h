@@ -1,4 +1,4 @@
-// Image files: whatever is in them, an image of the size it says or an error.
+// Fuzzes image readers: any bytes must give an image of the size in its header, or an error.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace etalon::fuzz {
 
-/// Reads bytes as a file of that name, its header alone and whole. The first bytes become `start`,
-/// which tells the format: what is of no known one is offered to all readers of OpenImageIO, which
-/// takes most of the time and tests none of them.
+/// Reads bytes as a file of that name: first the header alone, then the whole image. The first
+/// bytes are replaced by `start`, the signature of the format. Without a known signature
+/// OpenImageIO would try all its readers, which is slow and tests none of them.
 void read_image_file(const std::string& name, std::string_view start, std::string_view bytes);
 
 }  // namespace etalon::fuzz

@@ -1,5 +1,5 @@
-// The operators new of a fuzzer. The address sanitizer's own end the program where there is no
-// memory, instead of throwing.
+// Operators new that throw when memory is exhausted. Those of the address sanitizer end the program
+// instead.
 #include "tests/fuzz/limited_memory.h"
 
 #include <algorithm>
@@ -9,15 +9,16 @@
 
 namespace {
 
-/// For a single piece. What a header of a few bytes asks for is not cleared and poisoned then.
+/// Largest single allocation in bytes. It saves clearing and poisoning the huge blocks that a
+/// damaged header asks for.
 constexpr std::size_t most = std::size_t{1} << 20;
 std::atomic<bool> is_limited = false;
 constexpr auto usual = static_cast<std::align_val_t>(__STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
-/// How many calls are left until one fails.
+/// Number of calls until one fails; 0: none does.
 std::atomic<std::int64_t> calls_left = 0;
 
-/// Null if there is none.
+/// Allocates memory. Returns null on failure.
 void* memory_of(std::size_t size, std::align_val_t alignment) noexcept {
     if (calls_left.load(std::memory_order_relaxed) > 0 && --calls_left == 0) return nullptr;
     if (size > most && is_limited) return nullptr;
@@ -70,8 +71,8 @@ void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(m
 void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 // clang-format on
 
-/// A limit for what C libraries ask for, above libFuzzer's own tables. Little is kept after it was
-/// given back, as what is used again is in the caches.
+/// Limits allocations of C libraries to a size above that of libFuzzer's own tables. The quarantine
+/// of freed memory is small, since memory that is reused soon is still in the caches.
 extern "C" const char* __asan_default_options() {
     return "max_allocation_size_mb=64:allocator_may_return_null=1:quarantine_size_mb=4";
 }

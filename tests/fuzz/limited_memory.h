@@ -4,14 +4,14 @@
 
 namespace etalon::fuzz {
 
-/// While there is one, no piece of memory is larger than 1 MiB, as if --max-memory had been given.
+/// Limits each allocation to 1 MiB during its lifetime, like --max-memory.
 class LimitedMemory {
   public:
-    /// Lets the operator new also throw once, at its call of this number; 0: at none.
+    /// Also makes call number `failing_call` of operator new throw; 0: no call.
     explicit LimitedMemory(std::uint32_t failing_call = 0);
     ~LimitedMemory();
 
-    /// Whether the call of that number has come.
+    /// Returns whether that call has been made.
     bool has_failed() const;
 
     LimitedMemory(const LimitedMemory&) = delete;

@@ -6,7 +6,7 @@
 namespace etalon::fuzz {
 namespace {
 
-/// A file with these sums behind its image, whose hash fits.
+/// Returns a film file with these sums and a valid hash.
 std::string part_of(std::string_view sums) {
     std::string content = "etalon-film 1\n";
     content += sums;

@@ -13,7 +13,8 @@ std::uint32_t number_at(std::string_view bytes, std::size_t place) {
     return number;
 }
 
-/// The file with checksums that fit its chunks, as damage would else be noticed at once.
+/// Returns the file with the checksums of its chunks corrected: otherwise the reader would reject
+/// most inputs at once.
 std::string with_checksums(std::string_view bytes) {
     std::string file(bytes);
     for (std::size_t i = 8; i + 12 <= file.size();) {

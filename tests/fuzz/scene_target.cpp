@@ -30,16 +30,16 @@ bool becomes_facets(const Primitive& p) {
            p.kind == kind_of<Ring>();
 }
 
-/// Whether what was read of a text is written, too: every fourth scene, and of those with curved
-/// surfaces one in 256. Each is a thousand facets in P3F, which take a thousand times as long to
-/// write and read again as the text.
+/// Returns whether the scene read from a text is also written: one scene in four, and one in 256 of
+/// those with curved surfaces. In P3F each of these becomes a thousand facets, which take a
+/// thousand times as long to write and read as the original text.
 bool is_written(std::string_view text, const Scene& scene) {
     bool is_long = false;
     for (const Primitive p : scene.geometry.primitives) is_long = is_long || becomes_facets(p);
     return hash64(text) % (is_long ? 256 : 4) == 0;
 }
 
-/// What was read can be written; P3F can be read again.
+/// Checks that a scene can be written, and that the written P3F can be read again.
 void write(const LoadResult& result) {
     if (result.scene->is_physical()) return;
     write_pbrt(*result.scene, result.settings, "");

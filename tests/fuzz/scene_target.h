@@ -1,4 +1,4 @@
-// Scene files: whatever is in them, a sane scene or an error.
+// Fuzzes scene readers: any text must give a valid scene or an error.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace etalon::fuzz {
 
-/// Reads a text as a scene of the format, and writes it in the formats that can be written. A text
-/// that names files with a path is passed over: nothing outside of the folder is read.
+/// Reads a text as a scene of the format and writes it in the formats that can be written. A text
+/// that contains a path is skipped, so that no file outside the directory is read.
 void read_scene(const std::string& format, std::string_view text);
 
 }  // namespace etalon::fuzz

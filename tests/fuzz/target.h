@@ -1,5 +1,5 @@
-// What a fuzzer feeds: each target is one file that defines `target`; frame.cpp makes libFuzzer's
-// entry points of it.
+// Interface of a fuzz target: each target is one file that defines `target`; frame.cpp has
+// libFuzzer's entry points.
 #pragma once
 
 #include <string_view>
@@ -7,17 +7,17 @@
 namespace etalon::fuzz {
 
 struct Target {
-    /// Reads an input. Ends the process if what came of it is not as it must be.
+    /// Reads an input. Aborts the process if the result is invalid.
     void (*run)(std::string_view input);
-    bool is_text = false;  ///< words and numbers are changed as such, too
-    /// True if memory may end anywhere, and nothing is lost. Not so of OpenEXR and OpenImageIO;
-    /// nlohmann-json and CLI11 end the program where they need memory in what must not throw.
+    bool is_text = false;  ///< also mutate words and numbers as a whole
+    /// True if any allocation may fail without a leak. OpenEXR and OpenImageIO leak; nlohmann-json
+    /// and CLI11 end the program when an allocation fails in a noexcept function.
     bool survives_lack_of_memory = true;
 };
 
 extern const Target target;
 
-/// Ends the process, with `text` as the finding, unless `holds`.
+/// Aborts the process unless `holds`; `text` is the finding that it prints.
 void require(bool holds, std::string_view text);
 
 }  // namespace etalon::fuzz

@@ -45,7 +45,7 @@ constexpr std::array<std::string_view, 34> numbers = {"0",
                                                       "inf",
                                                       "0x1p3"};
 
-/// A part of a text, by where it begins and ends.
+/// A range of characters in a text.
 struct Piece {
     std::size_t begin, end;
     std::size_t size() const { return end - begin; }
@@ -120,7 +120,7 @@ class Mutation {
                               : std::string_view(words_[random_.index(words_.size())]);
     }
 
-    /// A statement of a word and a few numbers.
+    /// Returns the text with a statement, a word and a few numbers, inserted at `place`.
     std::string inserted(std::size_t place) {
         std::string statement(any_word());
         for (std::uint32_t i = random_.index(8); i > 0; --i) {
@@ -129,7 +129,7 @@ class Mutation {
         return replaced({place, place}, statement + (random_.one_in(2) ? "\n" : " "));
     }
 
-    /// The first number from a random word on, or that word.
+    /// Returns the first number from a random word on, or that word if none follows.
     Piece number_among(const std::vector<Piece>& pieces) {
         const std::size_t start = random_.index(pieces.size());
         for (std::size_t i = start; i < pieces.size(); ++i) {
@@ -139,7 +139,7 @@ class Mutation {
         return pieces[start];
     }
 
-    /// A whole number becomes one more or less, twice or half as many.
+    /// Returns a number that differs from an integer by one or a factor of two, or its negative.
     std::string next_number(Piece p) {
         std::int32_t count = 0;
         const std::string_view word = at(p);

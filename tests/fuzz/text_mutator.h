@@ -5,9 +5,9 @@
 
 namespace etalon::fuzz {
 
-/// Changes a text as its readers see it, one to four times: a number becomes another, a count grows
-/// or shrinks, a word becomes one of `words`, words and lines are left out, doubled or change
-/// places.
+/// Returns a text after one to four mutations at the level of words: a number is replaced, a count
+/// grows or shrinks, a word becomes one of `words`, or words and lines are removed, duplicated or
+/// swapped.
 std::string mutated_text(const std::string& text, const std::vector<std::string>& words,
                          unsigned seed);
 

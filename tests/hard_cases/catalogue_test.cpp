@@ -63,7 +63,7 @@ bool is_float(const Affine& map) {
     return is_float(map.x) && is_float(map.y) && is_float(map.z) && is_float(map.origin);
 }
 
-/// A curve's own numbers are floats always.
+/// The numbers of a curve are always floats.
 bool is_float(const CurveList& curves) {
     for (const StoredCurve& c : curves) {
         if (!is_float(c.place.to_world)) return false;
@@ -107,7 +107,7 @@ bool is_float(const Scene& scene) {
            });
 }
 
-/// Returns the share of 2000 rays that hit, by a backend fit for the scene's size.
+/// Returns the share of 2000 rays that hit, found by a backend suited to the scene's size.
 double hit_share(const CaseSetup& setup) {
     constexpr int rays = 2000;
     const auto backends = native_backends();
@@ -121,8 +121,8 @@ double hit_share(const CaseSetup& setup) {
     return static_cast<double>(hits) / rays;
 }
 
-/// Range of the share of rays that hit: at least a fifth, all of them if there is no way out, and
-/// misses where a miss is possible, except where the construction says otherwise.
+/// Allowed range of the share of hits: at least a fifth, all if the surface is closed, and some
+/// misses where misses are possible, with exceptions for some constructions.
 struct Share {
     double low, high;
 };
@@ -146,7 +146,7 @@ bool is_flat(const HardCase& c) {
 
 Share wanted_share(const HardCase& c) {
     if (c.criterion == Criterion::enclosed) return {1, 1};
-    // On the surface, or within it: whether there is a hit is a matter of rounding.
+    // On the surface, or inside: whether there is a hit depends on rounding.
     if (c.id == "AIM-3" || (c.id == "AIM-2" && is_flat(c))) return {0, 1};
     const auto special = special_shares.find(without_float(name_of(c)));
     if (special != special_shares.end()) return special->second;
@@ -174,7 +174,7 @@ TEST_CASE("The catalogue: given any kind of shape, then it has cases of its own"
     }
 }
 
-TEST_CASE("The catalogue: given a case, then its scene and rays are what its names say") {
+TEST_CASE("The catalogue: given a case, then its scene and rays match its names") {
     for (const HardCase& c : hard_cases()) {
         CAPTURE(name_of(c));
         const CaseSetup setup = c.make(), again = c.make();

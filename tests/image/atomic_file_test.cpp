@@ -23,7 +23,7 @@ int mode_of(const std::string& path) {
     return ::stat(path.c_str(), &s) == 0 ? static_cast<int>(s.st_mode & 0777) : -1;
 }
 
-/// No file of this process may grow beyond `bytes` while it lives: a disk that is full.
+/// Limits the size of all files of this process to `bytes` during its lifetime, like a full disk.
 class SmallDisk {
   public:
     explicit SmallDisk(rlim_t bytes) {
@@ -44,7 +44,7 @@ class SmallDisk {
     void (*handler_)(int);
 };
 
-/// Makes root, who may write anywhere, another user while it lives; others stay who they are.
+/// Switches root, who may write anywhere, to another user during its lifetime; other users stay.
 class OrdinaryUser {
   public:
     OrdinaryUser() : was_root_(::geteuid() == 0) {

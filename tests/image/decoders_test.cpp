@@ -1,4 +1,4 @@
-// Our own readers of JPEG and PNG give what OpenImageIO gives.
+// The readers of JPEG and PNG give the same pixels as OpenImageIO.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -56,7 +56,7 @@ void check_as_openimageio(const TemporaryFolder& folder, const std::string& name
     CHECK(std::visit([](const auto& values) { return values.empty(); }, header.value.pixels));
 }
 
-/// `content` cut short, or with some bytes replaced.
+/// Returns `content` truncated, or with some bytes replaced.
 std::string damaged(const std::string& content, Random& random) {
     std::string file = content;
     if (random.index(4) == 0) return file.substr(0, random.index(file.size()));
@@ -68,8 +68,9 @@ std::string damaged(const std::string& content, Random& random) {
     return file;
 }
 
-/// What both read is the same. One may refuse what the other takes: OpenImageIO accepts a JPEG with
-/// a scan that ends early, and of several warnings looks at the first only.
+/// Files that both can read give the same image. One may reject files that the other accepts:
+/// OpenImageIO accepts a JPEG with a scan that ends early, and checks only the first of several
+/// warnings.
 void check_damaged(const TemporaryFolder& folder, const std::string& name,
                    const std::string& content) {
     constexpr int count = 24;
@@ -113,7 +114,7 @@ TEST_CASE("every 16-bit value of a PNG is the float that OpenImageIO makes of it
                          encoded_png({PNG_COLOR_TYPE_GRAY, 16, false, false, 0}, 1024, 1024));
 }
 
-TEST_CASE("a damaged JPEG or PNG is the picture that OpenImageIO reads, or an error") {
+TEST_CASE("a damaged JPEG or PNG is the image that OpenImageIO reads, or an error") {
     const TemporaryFolder folder;
     for (const JpegKind& kind : jpeg_kinds()) {
         INFO(kind.name);
@@ -126,7 +127,7 @@ TEST_CASE("a damaged JPEG or PNG is the picture that OpenImageIO reads, or an er
     }
 }
 
-TEST_CASE("JPEG and PNG are told by their first bytes") {
+TEST_CASE("JPEG and PNG are detected by their first bytes") {
     const TemporaryFolder folder;
     const std::string jpeg = encoded_jpeg(jpeg_kinds()[1], 9, 7), png = encoded_png({}, 9, 7);
     put(folder / "p.jpg", jpeg);

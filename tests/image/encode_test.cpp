@@ -26,7 +26,7 @@ int byte_by_powers(float linear) {
     return static_cast<int>(255 * srgb_encoded(displayed(linear)) + 0.5);
 }
 
-/// Returns how many floats of a range of bits have another byte.
+/// Returns the number of floats in a range of bit patterns with a different byte.
 std::size_t others(std::uint32_t first, std::uint32_t last) {
     std::size_t count = 0;
     for (std::uint32_t bits = first; bits <= last; ++bits) {

@@ -1,4 +1,4 @@
-// EXR files other programs make: half, integer, tiles, grey, layers.
+// EXR files as written by other programs: half, integer, tiles, grey, layers.
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
@@ -104,7 +104,7 @@ TEST_CASE("half and float, scan lines and tiles, alpha and layers: R, G, B are r
     check_image(read_image(folder / "float.exr"), {"R", "G", "B"});
 }
 
-TEST_CASE("a luminance channel alone is a grey picture") {
+TEST_CASE("a single luminance channel is a grey image") {
     const TemporaryFolder folder;
     write_exr<float>(folder / "y.exr", {{"Y", "A"}}, Imf::FLOAT);
     check_image(read_image(folder / "y.exr"), {"Y"});
@@ -124,7 +124,7 @@ TEST_CASE("integer channels become floats") {
     CHECK(read.value.color(5, 6) == Color(23, 23, 23));
 }
 
-TEST_CASE("a file without R, G, B or Y is refused with the names of what it has") {
+TEST_CASE("a file without R, G, B or Y is an error that names its channels") {
     const TemporaryFolder folder;
     write_exr<float>(folder / "z.exr", {{"Z", "N.X"}}, Imf::FLOAT);
     CHECK_THAT(read_image(folder / "z.exr").error,

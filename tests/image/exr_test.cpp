@@ -19,7 +19,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Bit for bit, so that NaNs compare too.
+/// Compares bits, so that NaNs are equal.
 bool same_pixels(const RenderedImage& rendered, const Image& image) {
     const auto* values = std::get_if<std::vector<float>>(&image.pixels);
     return values && image.channels == 3 && values->size() == 3 * rendered.pixels.size() &&
@@ -28,7 +28,7 @@ bool same_pixels(const RenderedImage& rendered, const Image& image) {
 
 }  // namespace
 
-TEST_CASE("an EXR read back is the picture, bit for bit") {
+TEST_CASE("an EXR read back is the image, bit for bit") {
     const TemporaryFolder folder;
     const auto [width, height] =
         GENERATE(std::pair(1, 1), std::pair(37, 1), std::pair(1, 300), std::pair(67, 530));
@@ -58,7 +58,7 @@ TEST_CASE("a crop is a data window inside the frame, and reads back as its own p
     CHECK(file.header().displayWindow() == Imath::Box2i({0, 0}, {9, 7}));
 }
 
-TEST_CASE("the file's header says what OpenEXR has standard words for") {
+TEST_CASE("the file's header has OpenEXR's standard attributes") {
     const TemporaryFolder folder;
     REQUIRE(write_image(folder / "p.exr", random_image(4, 3)) == "");
     const Imf::InputFile file((folder / "p.exr").c_str());
@@ -111,7 +111,7 @@ TEST_CASE("metadata that contradict the header's own attributes are refused, not
     CHECK(folder.names().empty());
 }
 
-TEST_CASE("the same picture makes the same file") {
+TEST_CASE("the same image makes the same file") {
     RenderedImage rendered = random_image(20, 20);
     rendered.metadata = {{"seed", 1}};
     const Result<std::string> first = encode_exr(rendered);

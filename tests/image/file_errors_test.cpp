@@ -16,7 +16,7 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-/// The message must name the file, and be one line that says more.
+/// Requires a message of one line that names the file and gives a reason.
 void check_unreadable(const std::string& path) {
     const Result<Image> read = read_image(path);
     INFO(read.error);
@@ -26,7 +26,7 @@ void check_unreadable(const std::string& path) {
     CHECK(read.value.empty());
 }
 
-/// A read may succeed or fail, but what succeeds is whole.
+/// Reads a file, which may fail; an image that is read must be complete.
 void check_sane(const std::string& path) {
     const Result<Image> read = read_image(path);
     if (!read) return;
@@ -47,7 +47,7 @@ std::string checksum(const std::string& chunk) {
 
 }  // namespace
 
-TEST_CASE("what cannot be read is named with the reason") {
+TEST_CASE("an unreadable file is named with the reason") {
     const TemporaryFolder folder;
     for (const std::string kind : {".exr", ".png", ".jpg", ".hdr", ".tif", ".unknown", ""}) {
         CHECK(read_image(folder / ("none" + kind)).error ==
@@ -125,7 +125,7 @@ TEST_CASE("a file that claims more than it holds, or more than is read, is refus
     }
 }
 
-TEST_CASE("an EXR with flipped bytes is a picture or an error") {
+TEST_CASE("an EXR with flipped bytes is a image or an error") {
     const TemporaryFolder folder;
     RenderedImage rendered = random_image(40, 40);
     rendered.metadata = {{"software", std::string("Etalon")}};
@@ -141,7 +141,7 @@ TEST_CASE("an EXR with flipped bytes is a picture or an error") {
     }
 }
 
-TEST_CASE("a picture that cannot be written says why and leaves nothing behind") {
+TEST_CASE("an image that cannot be written is reported with the reason and leaves no file") {
     const TemporaryFolder folder;
     for (const std::string kind : {".exr", ".png"}) {
         const RenderedImage rendered = random_image(4, 3);
@@ -172,7 +172,7 @@ TEST_CASE("only .exr and .png are written") {
     CHECK(folder.names().empty());
 }
 
-TEST_CASE("a picture whose pixels do not fill its window is refused") {
+TEST_CASE("an image whose pixels do not fill its window is an error") {
     const TemporaryFolder folder;
     RenderedImage rendered = random_image(4, 3);
     SECTION("too few") {

@@ -14,7 +14,7 @@ double flip_of(Pixels a, Pixels b, int width) {
 
 }  // namespace
 
-TEST_CASE("FLIP is what NVIDIA's program finds") {
+TEST_CASE("FLIP agrees with NVIDIA's program") {
     // Its header FLIP.h, version 1.6, LDR with PPD = 67, the mean summed in double. It works in
     // float: the last digits are its rounding.
     const std::vector<Color> reference = stripes(96, 64);
@@ -43,7 +43,7 @@ TEST_CASE("a pixel that differs is seen where the filters reach, and nowhere els
     }
 }
 
-TEST_CASE("FLIP is 0 for equal pictures, the same both ways, and 1 between blue and green") {
+TEST_CASE("FLIP is 0 for equal images, symmetric, and 1 between blue and green") {
     const std::vector<Color> a = stripes(50, 30), b = rings(50, 30);
     CHECK(flip_of(a, a, 50) == 0);
     CHECK(flip_of(a, b, 50) == flip_of(b, a, 50));
@@ -51,7 +51,7 @@ TEST_CASE("FLIP is 0 for equal pictures, the same both ways, and 1 between blue 
     CHECK(flip_of(blue, green, 30) == Approx(1).epsilon(1e-12));
 }
 
-TEST_CASE("FLIP sees what a display shows: NaN as black, infinities as black and white") {
+TEST_CASE("FLIP uses what a display shows: NaN as black, infinities as black and white") {
     constexpr float inf = std::numeric_limits<float>::infinity();
     const std::vector<Color> wild(100, Color(std::numeric_limits<float>::quiet_NaN(), -inf, inf)),
         shown(100, Color(0, 0, 1)), other = stripes(10, 10);

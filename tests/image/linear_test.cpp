@@ -31,7 +31,7 @@ std::string text_of(const std::vector<int>& bytes) {
 
 }  // namespace
 
-TEST_CASE("a PNG becomes linear: the picture it was made of, to half a step") {
+TEST_CASE("a PNG becomes linear: the image that it was made from, to half a step") {
     const TemporaryFolder folder;
     RenderedImage rendered{256, 1, {{0, 0}, {255, 0}}, {}, false, {}};
     for (int i = 0; i < 256; ++i) {
@@ -55,7 +55,7 @@ TEST_CASE("integers of eight and sixteen bits are sRGB") {
     CHECK(sixteen.at(0).equalWithAbsError(Color(0, middle, 1), 1e-4F));
 }
 
-TEST_CASE("floats are linear already, whatever they are") {
+TEST_CASE("floats are linear already, with any values") {
     const TemporaryFolder folder;
     const float values[] = {-4, 1e20F, 0.125F};
     std::string data(sizeof values, 0);
@@ -68,7 +68,7 @@ TEST_CASE("floats are linear already, whatever they are") {
     CHECK(hdr.at(0).x == Approx(2).epsilon(0.01));
 }
 
-TEST_CASE("an EXR is linear and says where in its frame it is") {
+TEST_CASE("an EXR is linear and has its data window") {
     const TemporaryFolder folder;
     const RenderedImage rendered = random_image(10, 8, {{3, 2}, {8, 5}});
     REQUIRE(write_image(folder / "p.exr", rendered) == "");
@@ -81,7 +81,7 @@ TEST_CASE("an EXR is linear and says where in its frame it is") {
     CHECK(std::memcmp(pixels.data(), rendered.pixels.data(), pixels.size() * sizeof(Color)) == 0);
 }
 
-TEST_CASE("an EXR has the light of display values, or says that it has those") {
+TEST_CASE("an EXR has linear light, or is marked to have display values") {
     const TemporaryFolder folder;
     RenderedImage rendered = random_image(4, 3);
     rendered.pixels.assign(12, Color(0.5F, 2, -0.1F));

@@ -26,7 +26,7 @@ TEST_CASE("magma has its published colours, each where its number is nearest") {
     CHECK(magma(2) == magma(1));
 }
 
-TEST_CASE("magma gets brighter all the way") {
+TEST_CASE("magma gets monotonically brighter") {
     for (int i = 0; i + 1 < 256; ++i) {
         INFO(i);
         const double rounding = 0.5;

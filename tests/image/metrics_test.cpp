@@ -29,7 +29,7 @@ TEST_CASE("metrics of two pixels are those worked out by hand") {
     CHECK(psnr(0.01) == Approx(20).epsilon(1e-14));
 }
 
-TEST_CASE("equal pictures do not differ, whatever is in them") {
+TEST_CASE("equal images do not differ, whatever their values") {
     const List a = {{0, inf, -inf}, {not_a_number, 1, -0.0F}},
                b = {{-0.0F, inf, -inf}, {-not_a_number, 1, 0}};
     CHECK(mse(a, b) == 0);
@@ -40,7 +40,7 @@ TEST_CASE("equal pictures do not differ, whatever is in them") {
     CHECK(psnr(0) == infinity);
 }
 
-TEST_CASE("what is not finite in one picture alone is infinitely far off, and one pixel") {
+TEST_CASE("a value that is not finite in one image only is an infinite error in one pixel") {
     const auto [x, y] =
         GENERATE(std::pair(not_a_number, 1.0F), std::pair(1.0F, not_a_number), std::pair(inf, -inf),
                  std::pair(inf, 0.0F), std::pair(0.0F, -inf), std::pair(inf, not_a_number));

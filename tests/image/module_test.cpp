@@ -18,7 +18,8 @@ bool has_openimageio() {
     return content_of("/proc/self/maps").find("libOpenImageIO") != std::string::npos;
 }
 
-/// The message of reading a file in a process of its own that looks for the module in `folder`.
+/// Returns the message of reading a file in a separate process that looks for the module in
+/// `folder`.
 std::string error_with_modules_in(const std::string& folder, const std::string& path) {
     int ends[2] = {};
     REQUIRE(::pipe(ends) == 0);

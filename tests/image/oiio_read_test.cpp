@@ -1,4 +1,4 @@
-// Files of other formats, written here byte by byte.
+// Files of other formats, given as bytes.
 #include <cstring>
 
 #include "core/image/io.h"
@@ -114,7 +114,7 @@ TEST_CASE("an image without pixels is none, and that is said") {
     }
 }
 
-TEST_CASE("a Radiance picture is linear floats") {
+TEST_CASE("a Radiance image is linear floats") {
     const TemporaryFolder folder;
     const Image image =
         read(folder, "p.hdr",
@@ -137,7 +137,7 @@ TEST_CASE("tiles are put in their places, cut at the edge") {
     CHECK(wrong == 0);
 }
 
-TEST_CASE("a file is read by what it begins with, or else by its name, and by no other reader") {
+TEST_CASE("a file's reader is chosen by its first bytes, or else by its name") {
     const TemporaryFolder folder;
     CHECK(read(folder, "tiff.hdr", tiled_tiff()).width == 32);
     const std::string grey = std::string("P5 2 1 255\n") + "ab";

@@ -16,7 +16,7 @@ std::vector<std::uint8_t> bytes_of(const Image& image) {
 
 }  // namespace
 
-TEST_CASE("a PNG read back has the bytes the encoding says, whatever the values") {
+TEST_CASE("a PNG read back has the bytes of the encoding, for any values") {
     const TemporaryFolder folder;
     RenderedImage rendered = random_image(67, 41);
     rendered.display_colors = GENERATE(false, true);
@@ -33,7 +33,7 @@ TEST_CASE("a PNG read back has the bytes the encoding says, whatever the values"
     CHECK(folder.names() == std::vector<std::string>{"p.PNG"});
 }
 
-TEST_CASE("a PNG says that it is sRGB") {
+TEST_CASE("a PNG is marked as sRGB") {
     const TemporaryFolder folder;
     REQUIRE(write_image(folder / "p.png", random_image(4, 3)) == "");
     const std::string file = content_of(folder / "p.png");

@@ -7,7 +7,7 @@
 using namespace etalon;
 using namespace etalon::test;
 
-TEST_CASE("SSIM is what scikit-image finds") {
+TEST_CASE("SSIM agrees with scikit-image") {
     // Version 0.19.3, of the images encoded as sRGB: structural_similarity(a, b, channel_axis=2,
     // data_range=1, gaussian_weights=True, sigma=1.5, use_sample_covariance=False).
     const std::vector<Color> reference = stripes(96, 64);
@@ -18,7 +18,7 @@ TEST_CASE("SSIM is what scikit-image finds") {
           Approx(0.2299591099672311).epsilon(1e-9));
 }
 
-TEST_CASE("SSIM is 1 for equal pictures of any size, and less for others") {
+TEST_CASE("SSIM is 1 for equal images of any size, and less for others") {
     const auto [width, height] = GENERATE(std::pair(1, 1), std::pair(1, 30), std::pair(10, 10),
                                           std::pair(11, 11), std::pair(40, 5), std::pair(12, 30));
     INFO(width << " " << height);
@@ -28,7 +28,7 @@ TEST_CASE("SSIM is 1 for equal pictures of any size, and less for others") {
     CHECK(ssim(a, b, width) > 0);
 }
 
-TEST_CASE("SSIM of two flat pictures compares their means alone") {
+TEST_CASE("SSIM of two constant images compares their means alone") {
     // Equation 6 of the paper, for the encoded values 0.5 and 0.25 of these linear ones.
     const std::vector<Color> a(400, Color(0.21404114F)), b(400, Color(0.05087609F));
     CHECK(ssim(a, b, 20) == Approx((2 * 0.5 * 0.25 + 1e-4) / (0.25 + 0.0625 + 1e-4)).epsilon(1e-6));

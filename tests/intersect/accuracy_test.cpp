@@ -27,7 +27,7 @@ void require_right_answers(int rays_per_case) {
             hits += t <= infinity;
         }
         CAPTURE(shape.name, undecidable, hits, rays_per_case);
-        REQUIRE(undecidable <= rays_per_case / 6);  // rays that run along what they are aimed at
+        REQUIRE(undecidable <= rays_per_case / 6);  // rays nearly parallel to their target
         REQUIRE(hits >= rays_per_case / 10);
     }
 }

@@ -15,7 +15,7 @@ bool is_hit(const Scene& scene, const Ray& ray) {
     return t > ray.tmin || t == infinity;
 }
 
-/// Ray through the origin and its surroundings, from everywhere.
+/// Returns a ray through or near the origin, from all around.
 Ray probing_ray(int i, Random& random) {
     const Vec3 target = i % 3 == 0   ? Vec3(0)
                         : i % 3 == 1 ? Vec3(random.uniform(-2, 4), 0, 0)
@@ -63,7 +63,7 @@ TEST_CASE("Kernels: given a shape with a number that is none, then nothing hits 
 
 TEST_CASE(
     "Kernels: given a ray with a number that is none, then t is none or finite all the same") {
-    // Intersector lets no such ray through: a kernel need only survive it.
+    // Intersector rejects such rays, so a kernel need only not crash.
     for (const ShapeCase& shape : shape_cases()) {
         Random random(8);
         for (int i = 0; i < 200; ++i) {

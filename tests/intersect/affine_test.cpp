@@ -1,4 +1,4 @@
-// Ellipsoids and closed cylinders: what the table of shapes does not ask of them.
+// Ellipsoids and closed cylinders: tests beyond the table of shapes.
 #include "core/intersect/kernels.h"
 #include "core/intersect/shapes/all_shapes.h"
 #include "tests/catch.h"
@@ -17,7 +17,7 @@ Affine any_map(Random& random) {
     return {random.in_cube(), random.in_cube(), random.in_cube(), random.in_cube()};
 }
 
-/// Ray whose origin and target are a few sizes off the shape.
+/// Returns a ray whose origin and target are a few sizes away from the shape.
 Ray any_ray(const Affine& map, Random& random) {
     const double size = map.x.length() + map.y.length() + map.z.length();
     const Vec3 origin = map.origin + random.uniform(0, 10) * size * random.direction();
@@ -42,7 +42,7 @@ TEST_CASE("Ellipsoid: given the unit sphere, then t is that of the sphere") {
     }
 }
 
-TEST_CASE("Ellipsoid: given a tangent and its neighbours, then only what is outside misses") {
+TEST_CASE("Ellipsoid: given a tangent and adjacent lines, then only those outside miss") {
     const Ellipsoid wide{Affine{{4, 0, 0}, {0, 0.5, 0}, {0, 0, -2}, {0, 0, 0}}};
     REQUIRE(hit(wide, {{4, 0, -8}, {0, 0, 1}}) == 8);
     REQUIRE(hit(wide, {{-8, 0.5, 0}, {1, 0, 0}}) == 8);
@@ -62,7 +62,7 @@ TEST_CASE("Closed cylinder: given rays at its faces, then the solid's ends are h
     REQUIRE(hit(can, {{-1.5, 0, 0.25}, {1, 0, 1}}) == 0.5);  // the side, and out by the top
 }
 
-TEST_CASE("Closed cylinder: given a line in a face, then it is a solid that is met") {
+TEST_CASE("Closed cylinder: given a line in a face, then it hits the solid") {
     REQUIRE(hit(can, {{-3, 0, 0}, {1, 0, 0}}) == 2);
     REQUIRE(hit(can, {{-3, 0, 1}, {1, 0, 0}}) == 2);
     REQUIRE(hit(can, {{1, 0, -3}, {0, 0, 1}}) == 3);
@@ -127,7 +127,7 @@ TEMPLATE_TEST_CASE(
     }
     CAPTURE(uncertain_answers, hits, rays);
     REQUIRE(hits > rays / 5);
-    REQUIRE(uncertain_answers > rays / 100);  // or these rays would be too easy
+    REQUIRE(uncertain_answers > rays / 100);  // otherwise these rays are too easy
 }
 
 TEMPLATE_TEST_CASE(

@@ -17,7 +17,7 @@ double hit(const Cone& cone, const Ray& ray, Sides sides = Sides::both) {
 const Cone cylinder{{0, 0, 0}, {0, 0, 4}, 1, 1};
 const Cone pointed{{0, 0, 0}, {0, 0, 2}, 1, 0};
 
-/// Coordinates whose axes are exchanged, so that the cone stands along another one.
+/// Permutes the coordinates, so that the cone's axis is another one.
 Vec3 turned(const Vec3& v, int k) {
     return {v[k % 3], v[(k + 1) % 3], v[(k + 2) % 3]};
 }
@@ -26,7 +26,7 @@ Cone turned(const Cone& c, int k) {
     return {turned(c.base, k), turned(c.top, k), c.base_radius, c.top_radius};
 }
 
-/// The ray with one coordinate of its origin moved to the next double in the direction of
+/// Returns the ray with one coordinate of its origin moved to the next double in the direction of
 /// `towards`.
 Ray moved(Ray ray, int k, double towards) {
     ray.origin[k] = std::nextafter(ray.origin[k], towards);
@@ -45,7 +45,8 @@ Cone random_cone(Random& random) {
     return c;
 }
 
-/// Ray through the surface, a rim, the axis or an end of it, from on the spot or 1 to 1e7 radii.
+/// Returns a ray through the surface, a rim, the axis or its ends, from that point or 1 to 1e7
+/// radii away.
 Ray random_ray(const Cone& c, Random& random) {
     const Vec3 h = c.top - c.base;
     Vec3 u, v;
@@ -87,7 +88,7 @@ TEST_CASE("Cone: given a ray through an open end, then the inside is hit") {
     REQUIRE(hit(pointed, {{0.5, 0, -1}, {0, 0, 1}}, Sides::back) == 2);
 }
 
-TEST_CASE("Cone: given a line that would meet the mirror nappe first, then it does not") {
+TEST_CASE("Cone: given a line that crosses the mirror nappe first, then it hits the cone only") {
     REQUIRE(hit(pointed, {{0.5, 0, 9}, {0, 0, -1}}) == 8);
     REQUIRE(std::isnan(hit(pointed, {{0.5, 0, 9}, {0, 0, -1}}, Sides::back)));
 }
@@ -159,7 +160,7 @@ TEST_CASE("Cone: given a tangent to the last bit, then it is hit, and the next l
         const Vec3 d(-4, 3, slope), at(3, 4, 3);
         const Ray ray{turned(at - n * d, k), turned(d, k)};
         const Cone cone = turned(upright, k);
-        const int x = (3 - k) % 3;  // where turned() puts the x axis
+        const int x = (3 - k) % 3;  // the x axis after turned()
         CAPTURE(k, slope, n);
         REQUIRE(hit(cone, ray) == n);
         REQUIRE(std::isnan(hit(cone, moved(ray, x, infinity))));
@@ -243,7 +244,7 @@ TEST_CASE("Cone: given a cone as flat as can be, then it is hit where a ring wou
     }
 }
 
-TEST_CASE("Cone: given a ray from the surface itself, then t is not zero but the way across") {
+TEST_CASE("Cone: given a ray from the surface itself, then t is not zero but the distance across") {
     for (const double reach : {0x1p-40, 1.0, 0x1p40}) {
         REQUIRE(hit(cylinder, {{1, 0, 2}, {-reach, 0, 0}}) == 2 / reach);
         REQUIRE(std::isnan(hit(cylinder, {{1, 0, 2}, {reach, 0, 0}})));
@@ -251,8 +252,9 @@ TEST_CASE("Cone: given a ray from the surface itself, then t is not zero but the
     }
 }
 
-TEMPLATE_TEST_CASE("Cone: given any ray, then exact arithmetic says what a tier is certain of", "",
-                   ConeFastPath, ConeBoundsCheck) {
+TEMPLATE_TEST_CASE(
+    "Cone: given any ray, then exact arithmetic agrees with each certain decision of the fast path",
+    "", ConeFastPath, ConeBoundsCheck) {
     Random random(20);
     int uncertain_answers = 0, hits = 0;
     const int count = 200000;
@@ -273,7 +275,7 @@ TEMPLATE_TEST_CASE("Cone: given any ray, then exact arithmetic says what a tier 
     }
     CAPTURE(uncertain_answers, hits);
     REQUIRE(hits > count / 5);
-    REQUIRE(uncertain_answers > count / 100);  // or these rays would be too easy
+    REQUIRE(uncertain_answers > count / 100);  // otherwise these rays are too easy
 }
 
 TEST_CASE("Cone: given a cone and a ray of any size, then t is the same times that size") {

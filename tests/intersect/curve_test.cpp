@@ -1,4 +1,4 @@
-// Curves: what the table of shapes does not ask of them.
+// Curves: tests beyond the table of shapes.
 #include <numbers>
 
 #include "core/intersect/kernels.h"
@@ -17,7 +17,7 @@ Geometry one(const BezierCurve& curve, const Affine& map = {}) {
     return g;
 }
 
-/// Along x from -1 to 1, evenly, a fifth wide.
+/// A straight curve along x from -1 to 1, with equidistant control points and a width of 1/5.
 BezierCurve line(CurveType type) {
     BezierCurve c{};
     for (std::size_t i = 0; i < 4; ++i)
@@ -48,7 +48,7 @@ Ray down(double x, double y) {
 
 }  // namespace
 
-TEST_CASE("Curve: given a straight one, then it is met within half its width") {
+TEST_CASE("Curve: given a straight one, then it is hit within half its width") {
     for (const CurveType type : types) {
         const Geometry g = one(line(type));
         CHECK_THAT(t_of(g, down(0.3, 0.099)), WithinAbs(2.5, 1e-15));
@@ -90,7 +90,7 @@ TEST_CASE("Curve: given a ribbon, then it is as broad as its normal lets it be s
 
 TEST_CASE("Curve: given two parallel rays, then the derivatives lead from hit to hit") {
     const Affine map{{1, 0.25, 0}, {0, -0.5, 0.25}, {0.25, 0, 1}, {3, 0, 0.5}};
-    BezierCurve exact = line(CurveType::flat);  // whose points are even to the last bit
+    BezierCurve exact = line(CurveType::flat);  // whose points are exactly equidistant
     for (std::size_t i = 0; i < 4; ++i) exact.points[i].x = static_cast<float>(i) - 1.5F;
     const Geometry g = one(exact, map);
     Random random(1);
@@ -106,7 +106,7 @@ TEST_CASE("Curve: given two parallel rays, then the derivatives lead from hit to
     }
 }
 
-TEST_CASE("Curve: given a ray that leaves it, then it does not meet it within a width") {
+TEST_CASE("Curve: given a ray that leaves it, then it does not hit it within a width") {
     for (const CurveType type : types) {
         const Geometry g = one(bent(type));
         Random random(2);
@@ -126,7 +126,7 @@ TEST_CASE("Curve: given a ray that leaves it, then it does not meet it within a 
     }
 }
 
-TEST_CASE("Curve: given its parts, then together they are met where the whole is") {
+TEST_CASE("Curve: given its segments, then together they are hit where the whole is") {
     const Geometry whole = one(bent(CurveType::cylinder));
     Geometry parts;
     for (std::uint32_t i = 0; i < 8; ++i) {
@@ -149,7 +149,7 @@ TEST_CASE("Curve: given its parts, then together they are met where the whole is
         same += std::abs(nearest - t) < 0.01 ? 1 : 0;
     }
     CHECK(hits > 100);
-    CHECK(same >= hits * 97 / 100);  // at the sides one may be met and the other not
+    CHECK(same >= hits * 97 / 100);  // at the edges only one of them may be hit
 }
 
 TEST_CASE("A curve under a map whose inverse is but roundings does not exist") {
@@ -162,7 +162,7 @@ TEST_CASE("A curve under a map whose inverse is but roundings does not exist") {
 
 namespace {
 
-/// The longest axis in units of the other two: by so much is a curve flattened.
+/// Returns a map whose longest axis is about `stretch` times the other two, which flattens a curve.
 Affine flattened(double stretch) {
     return {{1, 0.25, 0}, {0, 1 / stretch, 0}, {0, 0, 1 / stretch}, {3, 0, 0.5}};
 }
@@ -174,7 +174,7 @@ bool is_inside(const Box3& box, const Vec3& p, double slack) {
 
 }  // namespace
 
-TEST_CASE("Curve: given a map that flattens it, then rays from far away meet it in its bounds") {
+TEST_CASE("Curve: given a map that flattens it, then rays from far away hit it in its bounds") {
     Random random(3);
     for (const double stretch : {4.0, 0x1p10, 0x1p20, 0x1p40}) {
         const Affine map = flattened(stretch);
@@ -195,8 +195,8 @@ TEST_CASE("Curve: given a map that flattens it, then rays from far away meet it 
     }
 }
 
-TEST_CASE("Curve: given rays of an object from 2^57 away, then it is met where they pass it") {
-    // An instance that is all but flat makes such rays of usual ones. Each passes (x, y, 0).
+TEST_CASE("Curve: given rays in object space from 2^57 away, then it is hit where they pass it") {
+    // A nearly flat instance transforms ordinary rays to such rays. Each goes through (x, y, 0).
     const auto past = [](double x, double y) {
         return Ray{{x + 30, y - 14, 0x1p57}, {-30, 14, -0x1p57}};
     };

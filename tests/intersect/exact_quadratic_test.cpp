@@ -64,7 +64,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("ExactQuadratic: given no roots, or no unknown, then it says so") {
+TEST_CASE("ExactQuadratic: given no roots, or no unknown, then it reports none") {
     const auto has_roots = [](double a, double b, double c) {
         return ExactQuadratic(Dyadic(a), Dyadic(b), Dyadic(c)).has_roots();
     };

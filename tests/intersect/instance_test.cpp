@@ -1,4 +1,4 @@
-// The way of rays and points between the world and the object of an instance.
+// The transformation of rays and points between world space and object space.
 #include "core/intersect/instance_bounds.h"
 #include "core/intersect/kernels.h"
 #include "core/intersect/placement.h"
@@ -30,8 +30,8 @@ Geometry sphere_under(const Affine& map) {
     return geometry;
 }
 
-/// A shape under random maps is hit next to an edge of it, and left towards its inside: the ray
-/// must meet it from there. `on_edge` and `inside` make random points of the shape.
+/// Hits a shape under random maps next to an edge, and spawns a ray into it, which must hit it
+/// again from inside. `on_edge` and `inside` return random points of the shape.
 template <class Shape, class OnEdge, class Inside>
 void require_exits_from_inside(const Shape& shape, const OnEdge& on_edge, const Inside& inside) {
     Random random(9);
@@ -80,7 +80,7 @@ TEST_CASE("Instance: given an object far from the world's origin, then nothing c
     map.origin = far;
     const Instance instance(map, 0);
     const Vec3 local(0.25, -0.5, 0.125), world = far + map.vector(local);
-    const Vec3 exact = world - far;  // what the world's point, rounded, is from there
+    const Vec3 exact = world - far;  // the rounded world space point relative to it
     const Affine back = rotation(-30, {1, 2, 3});
     CHECK(max_abs(to_object(instance, world) - back.vector(exact)) < 1e-15);
 }
@@ -136,7 +136,7 @@ TEST_CASE("Instance: given a hit, then its point is on the image, with the image
     CHECK(hits > 300);
 }
 
-TEST_CASE("Instance: given a ray that leaves one outward, then it does not meet it again") {
+TEST_CASE("Instance: given a ray that leaves one outward, then it does not hit it again") {
     Random random(4);
     int leaving = 0, again = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -152,7 +152,7 @@ TEST_CASE("Instance: given a ray that leaves one outward, then it does not meet 
         Vec3 direction = random.direction();
         if (p.normal.dot(direction) < 0) direction = -direction;
         const Vec3 local = to_object(instance, spawn_origin(p, direction));
-        // Beyond the surface as the kernel sees it: then a ray outward does not meet it.
+        // Outside the surface as computed by the kernel, so that a ray outwards does not hit it.
         again += !(local.dot(local) > 1);
         again += first_hit(geometry, key_of(0, 0), spawn_ray(p, direction)) < infinity;
         ++leaving;
@@ -161,7 +161,7 @@ TEST_CASE("Instance: given a ray that leaves one outward, then it does not meet 
     CHECK(again == 0);
 }
 
-TEST_CASE("Instance: given a ray into a box from next to an edge, then it meets it from inside") {
+TEST_CASE("Instance: given a ray into a box from next to an edge, then it hits it from inside") {
     const Box box{{-1, -0.5, -0.75}, {0.5, 1, 0.25}};
     const auto on_edge = [&](Random& random) {
         Vec3 corner = random.index(2) == 0 ? box.min : box.max;
@@ -187,7 +187,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Instance: given any map, then its box holds what it shows, and is tight") {
+TEST_CASE("Instance: given any map, then its box encloses the object, and is tight") {
     Random random(5);
     for (int i = 0; i < 300; ++i) {
         const Affine map = random_map(random, random.magnitude(0, 3));

@@ -22,7 +22,7 @@ bool same_bits(const Vec3& a, const Vec3& b) {
     return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
 }
 
-/// Rays with a component that scaling would push below the range of double are none of this test's.
+/// Skips rays with a component that scaling would move below the range of double.
 bool is_normal(const Ray& ray) {
     for (int k = 0; k < 3; ++k) {
         for (const double x : {ray.origin[k], ray.direction[k]}) {

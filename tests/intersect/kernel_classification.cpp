@@ -9,8 +9,7 @@ namespace {
 
 constexpr double fair_ulps = 4;
 
-/// The crossings of one kind, where the shape's front is seen or where its back is, over all the
-/// rays of a neighbourhood.
+/// The hits of one kind, on the shape's front or on its back, of all rays of a neighbourhood.
 struct Branch {
     bool in_some = false, in_all = true;
     double first = infinity, last = -infinity;
@@ -43,13 +42,13 @@ struct Branches {
         back.add(found, false);
     }
 
-    /// Joins the sides at tangents: where some rays of the neighbourhood pass the shape by, one of
-    /// them is a tangent, on which front and back are one.
+    /// Joins front and back at tangents: if some rays of the neighbourhood miss the shape, one of
+    /// them is a tangent, for which both coincide.
     void join_tangents() {
         if (front.in_some && !front.in_all && back.in_some && !back.in_all) join_sides();
     }
 
-    /// An edge-on surface: which side is seen cannot be told.
+    /// Handles a surface seen edge-on, whose visible side is undecidable.
     void join_sides() {
         front.unite(back);
         back.unite(front);
@@ -66,8 +65,8 @@ struct Branches {
     Branch front, back;
 };
 
-/// The ray, and `count` rays whose origin is off by up to `reach` in every axis, and the direction
-/// by up to `turn`: the first twelve in one axis only, the others in all.
+/// Returns the ray and `count` rays whose origin differs by up to `reach` along every axis, and the
+/// direction by up to `turn`: the first twelve along one axis only, the others along all.
 std::vector<Ray> neighbours(const Ray& ray, double reach, double turn, int count) {
     std::vector<Ray> rays(static_cast<std::size_t>(count + 1), ray);
     Random random(3);
@@ -82,7 +81,7 @@ std::vector<Ray> neighbours(const Ray& ray, double reach, double turn, int count
     return rays;
 }
 
-/// Returns whether some ray of the neighbourhood may answer t.
+/// Returns whether t is possible for some ray of the neighbourhood.
 bool contains(const Branches& branches, Sides sides, double tmin, double t) {
     const bool hit = t > tmin;
     bool explained = !hit;
@@ -114,7 +113,8 @@ bool is_explained(const ShapeCase& shape, const Ray& ray, double t, double true_
     const double cosine = std::abs(point.normal.dot(ray.direction));
     if (cosine <= turn) branches.join_sides();
     const Primitive primitive = shape.scene.geometry.primitives[0];
-    // A quadric's place may be less certain than any length about it: its form's terms cancel.
+    // A quadric's position may be less certain than its lengths suggest, since the terms of its
+    // form cancel.
     const bool cancels = primitive.kind == kind_of<Quadric>();
     const double uncertainty = cancels ? std::max(reach, max_abs(point.error) / 4) : reach;
     branches.widen(uncertainty / cosine + fair_ulps * 2 * unit_roundoff * where);

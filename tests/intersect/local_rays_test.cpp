@@ -1,5 +1,5 @@
-// What is found of several rays at a time, against what is found of each alone, for every
-// instruction set that the machine has.
+// Compares results for several rays at a time with those for single rays, for every instruction set
+// that the machine has.
 #include "core/intersect/local_rays.h"
 
 #include <bit>
@@ -39,7 +39,7 @@ double component(Random& random) {
     }
 }
 
-/// Rays of all kinds: near and far, some of them not valid.
+/// Returns rays of all kinds: near and far, some of them invalid.
 std::vector<Ray> all_kinds_of_rays(std::size_t count) {
     Random random(5);
     std::vector<Ray> rays(count);
@@ -68,7 +68,7 @@ void require_same(const NormalizedRay& together, const NormalizedRay& alone) {
     CHECK(together.scale == alone.scale);
 }
 
-/// Returns whether the ray meets the box, as far as plain slabs say.
+/// Returns whether the ray hits the box by the plain slab test.
 bool surely_meets(const Ray& ray) {
     double from = std::max(0.0, ray.tmin), to = ray.tmax;
     for (int k = 0; k < 3; ++k) {
@@ -82,7 +82,7 @@ bool surely_meets(const Ray& ray) {
 
 }  // namespace
 
-TEST_CASE("Rays of a chunk are in normalized space what each is alone", "[intersect]") {
+TEST_CASE("Rays of a chunk are transformed to normalized space as single rays are", "[intersect]") {
     const NormalizedSpace space(world);
     const std::vector<Ray> rays = all_kinds_of_rays(100'000);
     for_each_target([&] {

@@ -5,7 +5,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Rows of corners from pole to pole; every row is closed, and a pole is one corner all around.
+/// Rows of vertices from pole to pole; every row is closed, and a pole is a single vertex.
 struct Corners {
     Vec3 at(int ring, int segment) const {
         const double polar = pi * ring / rings;

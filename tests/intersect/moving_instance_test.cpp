@@ -1,4 +1,4 @@
-// Instances that move.
+// Moving instances.
 #include "core/intersect/instance_bounds.h"
 #include "core/intersect/kernels.h"
 #include "core/intersect/placement.h"
@@ -18,7 +18,7 @@ Affine any_map(Random& random, double most_degrees = 180) {
     return map;
 }
 
-/// A unit sphere, as far from the object's origin as in no scene that is meant well.
+/// A unit sphere, farther from the object's origin than in any reasonable scene.
 Geometry moving_sphere(const AnimatedTransform& motion, const Vec3& centre = Vec3(2, 0, 1)) {
     Geometry geometry;
     geometry.objects.resize(1);
@@ -110,7 +110,7 @@ TEST_CASE("The box of an instance that only moves is that of its two ends") {
     CHECK(instance_bounds(early, {}).boxes.front().max.x == Approx(2).epsilon(1e-5));
 }
 
-TEST_CASE("An instance that is singular on its way has no box") {
+TEST_CASE("An instance that is singular during its motion has no box") {
     const Geometry geometry =
         moving_sphere({scaling({1, 1, 1}), scaling({1, 1, -1}), MotionTimes{}}, Vec3(0));
     CHECK(instance_bounds(geometry, {}).boxes.front().max.x == infinity);

@@ -14,7 +14,7 @@ bool is_close(Quad a, Quad b) {
     return magnitude(a - b) <= magnitude(b) * Quad(0x1p-108);
 }
 
-/// Shapes of every kind, strewn about.
+/// Returns shapes of every kind at random positions.
 Scene mixed_scene(int copies) {
     Scene scene;
     Random random(20);
@@ -99,7 +99,7 @@ TEST_CASE("Oracle: given equal distances, then all are named and the lowest numb
 }
 
 TEST_CASE("Oracle: given a root that even quad precision leaves open, then it is no tie") {
-    // The box is met at 3.2e-7, and the sphere, which the ray all but touches, at 3.164...e-7.
+    // The box is hit at 3.2e-7, and the sphere, which the ray almost touches, at 3.164...e-7.
     Scene scene;
     scene.geometry.add(Box{{-6, -2, -1e20}, {1e20, -1.5, -128}}, 0);
     scene.geometry.add(Sphere{{1e-20, -2, -128}, 1e20}, 0);
@@ -109,7 +109,8 @@ TEST_CASE("Oracle: given a root that even quad precision leaves open, then it is
 }
 
 TEST_CASE("Oracle: given a root that the ray's start may cut off, then it is none of the next") {
-    // Both roots are within a tie of tmin, and further apart than a kernel's t may be off.
+    // Both roots are within the tie distance of tmin, and further apart than the error bound of a
+    // kernel's t.
     Scene scene;
     scene.geometry.add(Sphere{{0, 0, 0}, 0x1p-36}, 0);
     const Oracle oracle(scene.geometry);
@@ -119,11 +120,12 @@ TEST_CASE("Oracle: given a root that the ray's start may cut off, then it is non
 }
 
 TEST_CASE("Oracle: given a root where the ray begins, then it is not taken for the one after") {
-    // The line leaves the flat box at its origin, by a distance that quad precision does not see.
+    // The line leaves the flat box at its origin, at a distance below the resolution of quad
+    // precision.
     Scene scene;
-    const Vec3 centre(-6.86, -1e20, 1e20), half(1, 0, 0);
+    const Vec3 centre(-6.86, -1e20, 1e20), reach(1, 0, 0);
     scene.geometry.add(
-        Quadric{centre, {0, 2, 1, -2, 2, 2, -2, -1, 0, 0}, {centre - half, centre + half}}, 0);
+        Quadric{centre, {0, 2, 1, -2, 2, 2, -2, -1, 0, 0}, {centre - reach, centre + reach}}, 0);
     const OracleAnswer answer = Oracle(scene.geometry).closest({centre, {-1e5, 0, -1e20}});
     REQUIRE(answer.kind != OracleAnswer::hit);
 }

@@ -1,5 +1,5 @@
-// Bounds of packets, against the rays one by one: aimed past boxes, at their corners and
-// next to them, for every instruction set that the machine has.
+// Compares packet bounds with single rays aimed past boxes, at their corners and next to them, for
+// every instruction set that the machine has.
 #include "core/intersect/packet_bounds.h"
 
 #include "core/numerics/random.h"
@@ -16,8 +16,8 @@ struct RaySet {
     int dominant;
 };
 
-/// Rays that start near a place and go about the same way, some of them to one point; of few sizes,
-/// so that they and boxes are often next to each other.
+/// Returns rays that start near a point in similar directions, some of them towards one point;
+/// lengths are of few sizes, so that rays and boxes are often close to each other.
 RaySet alike_rays(Random& random) {
     const double scale = std::exp2(random.uniform(-40, 40));
     const double from_spread = random.one_in(3) ? 0 : random.magnitude(-9, 0);
@@ -43,7 +43,7 @@ PacketBounds bounds_of(const RaySet& set) {
     return PacketBounds(packet);
 }
 
-/// A box, thin or not, with one of its corners within roundings of a point of the ray.
+/// Returns a box, thin or not, with a corner within rounding error of a point of the ray.
 Box3 box_at(const Ray& ray, Random& random) {
     Vec3 corner = ray.origin + random.uniform(0, 3) * ray.direction;
     for (int k = 0; k < 3; ++k) {
@@ -66,7 +66,7 @@ std::size_t count_near(const PacketBounds& bounds, const std::vector<Box3>& boxe
     return bounds.find_near(columns, numbers.data());
 }
 
-/// Returns how many of the boxes that rays touch their packets miss.
+/// Returns the number of boxes that a ray touches and its packet misses.
 std::size_t lost_boxes(std::size_t count) {
     Random random(31);
     std::size_t lost = 0;
@@ -92,7 +92,7 @@ TEST_CASE("Packet bounds: none of ten million boxes that rays touch is missed", 
     CHECK(lost_boxes(10'000'000) == 0);
 }
 
-TEST_CASE("Packet bounds: what is beside or behind rays that go one way is missed") {
+TEST_CASE("Packet bounds: boxes beside or behind rays that go one way are culled") {
     RaySet set{{}, 2};
     for (int i = 0; i < 64; ++i) {
         set.rays.push_back({Vec3(0), Vec3(0.01 * (i % 8), 0.01 * (i / 8), 1)});
@@ -114,7 +114,7 @@ TEST_CASE("Packet bounds: what is beside or behind rays that go one way is misse
     });
 }
 
-TEST_CASE("Packet bounds: what is infinite is never missed") {
+TEST_CASE("Packet bounds: infinite boxes are never culled") {
     const PacketBounds bounds =
         bounds_of({{{Vec3(0), Vec3(0, 0, 1)}, {Vec3(1), Vec3(0, 1, 1)}}, 2});
     const Box3 whole(Vec3(-infinity), Vec3(infinity));

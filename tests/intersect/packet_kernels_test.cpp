@@ -1,5 +1,5 @@
-// Kernels for packets of rays, against those for single ones, for every instruction set that they
-// are compiled for and this machine has.
+// Compares packet kernels with the kernels for single rays, for every instruction set that they are
+// compiled for and this machine has.
 #include "core/intersect/packet_kernels.h"
 
 #include <bit>
@@ -13,7 +13,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// The answer of the kernel for a single ray.
+/// Returns the hit of the kernel for a single ray.
 Hit hit_alone(const Geometry& geometry, const Ray& ray) {
     NearestHit nearest(ray.tmax);
     nearest.offer(primitive_first_hit(geometry, 0, RayQuery(ray)), 0);
@@ -25,7 +25,7 @@ bool same_bits(const Hit& a, const Hit& b) {
            std::bit_cast<std::uint64_t>(a.t) == std::bit_cast<std::uint64_t>(b.t);
 }
 
-/// Bounds of all kinds around the hit that there may be.
+/// Returns tmin and tmax of all kinds around a possible hit.
 void limit(Ray& ray, const Hit& hit, int i) {
     if (i % 4 == 1) ray.tmin = hit.primitive == no_index ? 0.5 : hit.t;
     if (i % 4 == 2) ray.tmax = hit.primitive == no_index ? 2.0 : hit.t;
@@ -48,7 +48,8 @@ void require_same(const Geometry& geometry, const std::vector<Ray>& rays, RayPac
     packet.count = 0;
 }
 
-/// Offers the geometry's one primitive to rays, in packets of 1, 2, 3... rays of each axis.
+/// Offers the geometry's only primitive to rays, in packets of 1, 2, 3... rays of each dominant
+/// axis.
 void require_same(const Geometry& geometry, const std::vector<Ray>& rays) {
     std::array<RayPacket, 3> packets;
     std::array<std::size_t, 3> sizes{1, 1, 1};

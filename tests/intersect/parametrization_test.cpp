@@ -1,4 +1,4 @@
-// (u, v), dpdu and dpdv of every shape: held to differences between hits that lie close together.
+// Compares (u, v), dpdu and dpdv of every shape with differences between nearby hits.
 #include <numbers>
 #include <optional>
 
@@ -49,7 +49,7 @@ bool is_tangent(const Vec3& v, const Vec3& normal) {
     return is_finite(v) && v != Vec3(0) && std::abs(v.dot(normal)) <= 1e-6 * v.length();
 }
 
-/// A point of the surface a small random step from `s`.
+/// Returns a point of the surface a small random step away from `s`.
 std::optional<Sample> neighbour(const ShapeCase& shape, const Sample& s, Random& random) {
     const Vec3& n = s.point.normal;
     const double step = shape.size * std::pow(10.0, random.uniform(-8, -5));
@@ -63,12 +63,12 @@ std::optional<Sample> neighbour(const ShapeCase& shape, const Sample& s, Random&
     return found;
 }
 
-/// Distance of a step on the surface from what the derivatives make of the step of (u, v), its
-/// length, and the tolerance: roundings, and the change of the derivatives.
+/// Difference between a step on the surface and its linear estimate by the derivatives, its length,
+/// and the tolerance for roundings and the change of the derivatives.
 struct Step {
     double off, length, tolerance;
 
-    /// Returns whether a derivative that is wrong would be seen.
+    /// Returns whether a wrong derivative would be detected.
     bool is_decisive() const { return tolerance < 0.1 * length; }
 };
 
@@ -78,14 +78,14 @@ bool derivatives_are_close(const Parametrization& a, const Parametrization& b) {
            (a.dpdv - b.dpdv).length() < 0.02 * a.dpdv.length();
 }
 
-/// Returns whether a coordinate ends here: roundings beyond the end are cut off.
+/// Returns whether a coordinate is at the end of its range, where roundings are clamped.
 bool is_at_end(const Vec2& uv) {
     const auto ends = [](double x) { return x == 0 || x == 1; };
     return ends(uv.x) || ends(uv.y);
 }
 
-/// False where the derivatives are nearly parallel, as on a sliver: there (u, v) magnifies
-/// roundings so much that no step tells anything.
+/// Returns false if the derivatives are nearly parallel, as on a sliver: there (u, v) magnifies
+/// roundings too much for a comparison.
 bool is_well_conditioned(const Parametrization& p) {
     return p.dpdu.cross(p.dpdv).length() > 0.1 * p.dpdu.length() * p.dpdv.length();
 }
@@ -97,14 +97,14 @@ Step step(const Sample& a, const Sample& b) {
     const Vec3 expected = d.x * a.at.dpdu + d.y * a.at.dpdv;
     const double change = std::abs(d.x) * (b.at.dpdu - a.at.dpdu).length() +
                           std::abs(d.y) * (b.at.dpdv - a.at.dpdv).length();
-    // A map of condition 1e6 leaves (u, v) good to 1e-9.
+    // With a map of condition number 1e6, (u, v) is accurate to 1e-9.
     const double rounding = a.point.error.length() + b.point.error.length() +
                             1e-9 * (a.at.dpdu.length() + a.at.dpdv.length());
     const double length = moved.length();
     return {(moved - expected).length(), length, 1e-3 * length + 2 * change + rounding};
 }
 
-/// Returns whether the point is so near a tip that the normal itself is lost in roundings.
+/// Returns whether the point is so near an apex that the normal is lost in roundings.
 bool is_at_tip(const ShapeCase& shape, const SurfacePoint& p) {
     return std::any_of(shape.tips.begin(), shape.tips.end(), [&](const Vec3& tip) {
         return (p.position - tip).length() < 1e-9 * shape.size;
@@ -151,7 +151,7 @@ TEST_CASE("parametrization_at: given any hit, then (u, v) and its derivatives ar
 
 TEST_CASE("parametrization_at: given two hits close together, then the derivatives lead over") {
     for (const ShapeCase& shape : shape_cases()) {
-        // A curve faces each ray, so that two rays have derivatives of their own: see curve_test.
+        // A curve faces each ray, so that two rays have different derivatives: see curve_test.
         if (shape.scene.geometry.primitives[0].kind == kind_of<Curve>()) continue;
         Random random(6);
         int considered = 0, decisive = 0;

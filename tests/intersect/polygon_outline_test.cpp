@@ -13,19 +13,20 @@ using namespace etalon;
 
 namespace {
 
-/// Around the 64 corners of a word and the 256 that are looked at in one go.
+/// Counts near 64, the corners per word, and 256, the corners per block.
 constexpr std::size_t corner_counts[] = {8,   9,   11,  12,  31,  62,  63,  64,  65,  66,
                                          127, 128, 129, 144, 254, 255, 256, 257, 258, 600};
 
-/// Exact sums of such numbers put corners and edges onto rays.
+/// Sums of such numbers are exact, so that corners and edges lie exactly on rays.
 Vec3 rounded(const Vec3& v) {
     constexpr double grid = 64;
     return {std::round(grid * v.x) / grid, std::round(grid * v.y) / grid,
             std::round(grid * v.z) / grid};
 }
 
-/// Corners around a middle at distances of their own, in a plane along two axes or across a random
-/// direction; or, every third time, anywhere on that plane: edges that cross each other.
+/// Returns corners around a centre at random distances, in a plane along two axes or perpendicular
+/// to a random direction; or, every third time, anywhere in that plane, with edges that cross each
+/// other.
 std::vector<Vec3> random_outline(std::size_t count, Random& random) {
     Vec3 u(1, 0, 0), v(0, 1, 0);
     if (random.one_in(2)) orthonormal_basis(random.direction(), u, v);
@@ -41,8 +42,8 @@ std::vector<Vec3> random_outline(std::size_t count, Random& random) {
     return corners;
 }
 
-/// A ray at a corner, a point of an edge or its middle, or near the outline's middle; some along an
-/// axis, some through their target to the last bit.
+/// Returns a ray at a corner, a point of an edge or its midpoint, or near the outline's centre;
+/// some along an axis, some exactly through their target.
 Ray random_ray(const std::vector<Vec3>& corners, Random& random) {
     const std::size_t i = random.index(corners.size());
     const Vec3 &a = corners[i], &b = corners[(i + 1) % corners.size()];
@@ -64,8 +65,8 @@ void scale(std::vector<Vec3>& corners, Ray& ray, double factor) {
     ray.origin *= factor;
 }
 
-/// Requires that a polygon's columns give the same answer as its corners, one after the other.
-/// Returns whether the ray is covered.
+/// Requires that a polygon's columns give the same result as its corners one by one. Returns
+/// whether the ray is covered.
 bool require_same(const std::vector<Vec3>& corners, const Ray& ray) {
     PolygonList list;
     list.push_back({corners});

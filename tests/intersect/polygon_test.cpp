@@ -9,7 +9,7 @@ using namespace etalon;
 
 namespace {
 
-/// A plus sign: concave four times.
+/// A plus sign, with four concave corners.
 const std::vector<Vec3> plus_sign = {{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {3, 1, 0},
                                      {3, 2, 0}, {2, 2, 0}, {2, 3, 0}, {1, 3, 0},
                                      {1, 2, 0}, {0, 2, 0}, {0, 1, 0}, {1, 1, 0}};
@@ -35,7 +35,7 @@ TEST_CASE("Polygon: given a plus sign, then its arms are hit and its notches are
     for (const Vec3& d : {Vec3(0, 0, -1), Vec3(0.25, -0.5, -1), Vec3(-0.5, 0.25, -0.25)}) {
         for (int i = -1; i <= 12; ++i) {
             for (int j = -1; j <= 12; ++j) {
-                // In quarters: the outline and its corners are among them, and exact.
+                // Multiples of 1/4, which include the outline and its corners exactly.
                 const double x = 0.25 * i, y = 0.25 * j;
                 const bool column = x >= 1 && x <= 2 && y >= 0 && y <= 3;
                 const bool row = y >= 1 && y <= 2 && x >= 0 && x <= 3;
@@ -103,7 +103,8 @@ TEST_CASE("Polygon: given corners a little off the plane, then the hit is on it,
     }
 }
 
-TEST_CASE("interpolated_normal: given normals that vary linearly, then they are met everywhere") {
+TEST_CASE(
+    "interpolated_normal: given normals that vary linearly, then they are reproduced everywhere") {
     // Mean value coordinates reproduce linear functions, in concave polygons too.
     const auto field = [](const Vec3& p) {
         return Vec3(0.3 * p.x - 0.1, 0.2 * p.y + 0.1 * p.x, 1);
@@ -140,8 +141,8 @@ TEST_CASE(
     REQUIRE(p.normal == Vec3(0, 0, 1));
 }
 
-TEST_CASE("Polygon: given corners whose normal vanishes among doubles alone, then it is met") {
-    // Corners of one line, but for the roundings of their numbers.
+TEST_CASE("Polygon: given corners whose normal vanishes in double only, then it is hit") {
+    // Collinear corners, up to rounding.
     const Scene scene = polygon_scene({{1.69, -1.89, -2.36},
                                        {1.69, 8.86, 2.9},
                                        {1.69, 6.1725, 1.585},

@@ -31,7 +31,7 @@ bool is_one(double t) {
     return std::abs(t - 1) < 1e-9;
 }
 
-/// Quadric about the origin, as far as `reach` in all axes.
+/// Returns a quadric about the origin, clipped at `reach` along all axes.
 Quadric quadric(const Coefficients& c, double reach) {
     return {{0, 0, 0}, c, {Vec3(-reach), Vec3(reach)}};
 }
@@ -82,12 +82,12 @@ TEST_CASE("Quadric: given a root on a face to the last bit, then it is hit, and 
     for (int i = 0; i < 1000; ++i) {
         const Vec3 v = 9.0 * random.in_cube();
         const Vec3 p(3, 4, 0), d(std::round(v.x), -1 - std::round(std::abs(v.y)), std::round(v.z));
-        if (p.dot(d) >= 0) continue;  // it comes out there
+        if (p.dot(d) >= 0) continue;  // the ray leaves the sphere there
         const Ray exact{p - d, d};
         CAPTURE(i, d);
         CHECK(is_one(hit(left, exact)));
         CHECK(is_one(hit(right, exact)));
-        // The point slides along the sphere, out of one of the boxes.
+        // The point is moved along the sphere, out of one of the boxes.
         const Ray beside{p - d + Vec3(0x1p-48, 0, 0), d};
         const bool in_left = is_one(hit(left, beside)), in_right = is_one(hit(right, beside));
         CHECK(in_left != in_right);
@@ -132,7 +132,8 @@ TEST_CASE("Quadric: given a tangent to the last bit, then either side is hit, an
     }
 }
 
-TEST_CASE("Quadric: given a plane twice, then it is met once, and not again by what leaves it") {
+TEST_CASE(
+    "Quadric: given a squared plane, then it is hit once, and not again by a ray that leaves it") {
     // (x + 2y + 2z - 1)^2
     const Quadric doubled = {{0, 0, 0}, {1, 2, 2, -1, 4, 4, -2, 4, -2, 1}, {Vec3(-2), Vec3(2)}};
     const Vec3 n = Vec3(1, 2, 2) / 3.0;

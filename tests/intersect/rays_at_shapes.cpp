@@ -28,7 +28,7 @@ Ray from_within(const ShapeCase& shape, const RayTarget& ray_target, Random& ran
     return towards(origin, ray_target(origin));
 }
 
-/// The origin is the target itself, on or next to the surface.
+/// Returns a ray that starts at the target, on or next to the surface.
 Ray from_the_target(const ShapeCase& shape, const RayTarget& ray_target, Random& random) {
     return {ray_target(shape.centre + 10 * shape.size * random.direction()), random.direction()};
 }
@@ -58,7 +58,7 @@ Ray with_a_denormal(const ShapeCase& shape, const RayTarget& ray_target, Random&
     return ray;
 }
 
-/// Ray through two targets at once: along an edge, a generator, a face.
+/// Returns a ray through two targets: along an edge, a generator or a face.
 Ray through_two(const ShapeCase& shape, const RayTarget& ray_target, Random& random) {
     const Vec3 a = ray_target(shape.centre + 10 * shape.size * random.direction());
     const Vec3 b = ray_target(shape.centre + 10 * shape.size * random.direction());

@@ -15,7 +15,7 @@ double hit(const Ring& ring, const Ray& ray, Sides sides = Sides::both) {
 
 const Ring upright{{0, 0, 0}, {0, 0, 2}, 5, 10};
 
-/// Points of whole numbers on the inner circle, and on the outer one.
+/// Points with integer coordinates on the inner circle, and on the outer one.
 const Vec3 on_inner[] = {{3, 4, 0}, {-4, 3, 0}, {5, 0, 0}, {0, -5, 0}};
 
 }  // namespace

@@ -14,7 +14,8 @@ constexpr bool is_affine = std::is_same_v<Shape, Ellipsoid> ||
 template <class Shape>
 constexpr bool is_face = std::is_same_v<Shape, Triangle> || std::is_same_v<Shape, Polygon>;
 
-/// Curves of a scene can only be made anew: their map's numbers are the scene's vertices meanwhile.
+/// Curves of a scene are immutable and are created again; the numbers of their maps are stored as
+/// vertices of the scene in between.
 void take_out_map(Geometry& geometry) {
     const Affine map = Curve(geometry.all<Curve>()[0]).to_world;
     geometry.vertices = {map.x, map.y, map.z, map.origin};
@@ -97,7 +98,7 @@ void finalize(Scene& scene) {
 
 Scene scaled(Scene scene, int k) {
     for (double* number : numbers_of(scene)) *number = std::ldexp(*number, k);
-    // A common factor changes nothing, and now they have one.
+    // A common factor does not change the quadric, and this loop gives them one.
     for (Quadric& s : scene.geometry.all<Quadric>()) {
         s.coefficients = scaled(s.coefficients, std::ldexp(1.0, k));
     }

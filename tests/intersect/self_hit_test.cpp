@@ -8,7 +8,7 @@ using namespace etalon;
 
 namespace {
 
-/// Direction in the hemisphere of `up`; half of them are grazing, with cosines from 1e-6.
+/// Returns a direction in the hemisphere of `up`; half of them are grazing, with cosines from 1e-6.
 Vec3 grazing_direction(const Vec3& up, Random& random) {
     Vec3 u, v;
     orthonormal_basis(up, u, v);
@@ -36,16 +36,16 @@ std::optional<Spawned> spawn(const ShapeCase& shape, const Ray& ray, Random& ran
     return Spawned{{spawn_origin(p, direction), direction}, side > 0};
 }
 
-/// Returns whether a quadric or a surface of revolution is hit in another part of it, in any
-/// direction but not so close.
+/// Returns whether the hit is on another part of a quadric or a surface of revolution, which may be
+/// in any direction but not so close.
 bool is_elsewhere(const ShapeCase& shape, const Spawned& s, double t) {
     const ShapeKind kind = shape.scene.geometry.primitives[0].kind;
     const bool is_curved = kind == kind_of<Quadric>() || kind == kind_of<Revolved>();
     return is_curved && t * s.ray.direction.length() > 1e-9 * shape.size;
 }
 
-/// No other shape of the table is met again from its outside. From the inside of a closed one the
-/// ray comes out elsewhere: it must be on its way out, and where the oracle says.
+/// No other shape of the table is hit again from outside. A ray inside a closed shape leaves it
+/// elsewhere: it must hit the inner side, where the oracle finds it.
 bool hits_itself(const ShapeCase& shape, const Oracle& oracle, const Spawned& s) {
     const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(s.ray));
     const bool hit = t <= infinity;
@@ -85,7 +85,7 @@ TEST_CASE(
     require_no_self_hits(800);
 }
 
-TEST_CASE("spawn_origin: given very many hits, then none is met again", "[long]") {
+TEST_CASE("spawn_origin: given very many hits, then none is hit again", "[long]") {
     require_no_self_hits(80000);
 }
 

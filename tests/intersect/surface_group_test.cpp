@@ -1,5 +1,5 @@
-// Points of several hits found together, against those found alone, for every instruction set that
-// the code is compiled for and this machine has.
+// Compares surface points computed for several hits at a time with single ones, for every
+// instruction set that the code is compiled for and this machine has.
 #include "core/intersect/surface_group.h"
 
 #include <cstring>
@@ -17,7 +17,7 @@ bool same_bits(const Vec3& a, const Vec3& b) {
     return std::memcmp(&a, &b, sizeof(Vec3)) == 0;
 }
 
-/// Compares the points of some of the hits with surface_at(). Returns how many were found together.
+/// Compares the points of some of the hits with surface_at(). Returns the number computed together.
 int check_group(const Geometry& geometry, std::span<const Ray> rays, std::span<const Hit> hits,
                 std::span<const std::uint32_t> numbers) {
     RayBuffer columns;
@@ -53,7 +53,7 @@ int check_group(const Geometry& geometry, std::span<const Ray> rays, std::span<c
     return together;
 }
 
-/// Numbers of `count` rays: neighbours, or with gaps between them.
+/// Returns the numbers of `count` rays, consecutive or with gaps between them.
 std::vector<std::uint32_t> some_numbers(std::uint32_t count, bool all, Random& random) {
     std::vector<std::uint32_t> numbers;
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -62,7 +62,7 @@ std::vector<std::uint32_t> some_numbers(std::uint32_t count, bool all, Random& r
     return numbers;
 }
 
-/// Rays of components so small that a RayQuery takes them as zeros are among these.
+/// These include rays with components so small that a RayQuery takes them as 0.
 Ray ray_at(const ShapeCase& shape, int i, Random& random) {
     Ray ray = aimed_ray(shape, i, random).ray;
     if (i % 50 == 0) ray.direction.x = 1e-200 * ray.direction.z;

@@ -6,7 +6,7 @@ using namespace etalon;
 
 namespace {
 
-/// Every face, but for those whose boxes a ray passes at a distance that no rounding explains.
+/// Tests every face, except those whose boxes a ray passes at a distance far above rounding errors.
 class BruteForce {
   public:
     explicit BruteForce(const Scene& scene) : scene_(scene) {
@@ -44,7 +44,7 @@ class BruteForce {
     double extent_ = 0;
 };
 
-/// Returns a corner, a point of an edge or its middle by turns, as exactly as doubles can be.
+/// Returns in turn a vertex, a point of an edge, and its midpoint, as exactly as doubles allow.
 Vec3 target(const ClosedMesh& mesh, int i, Random& random) {
     const std::vector<Vec3>& face =
         mesh.faces[static_cast<std::size_t>(random.index(mesh.faces.size()))];
@@ -80,7 +80,7 @@ void require_no_leaks(int rays_per_mesh) {
         for (int i = 0; i < rays_per_mesh; ++i) {
             const Vec3 origin = mesh.centre + 0.25 * mesh.radius * random.in_cube();
             const Ray ray{origin, target(mesh, i, random) - origin};
-            // From inside all that is seen of a face is its back.
+            // From inside only the backs of faces are visible.
             const Sides sides = i % 2 == 0 ? Sides::both : Sides::back;
             set_sides(mesh.scene.geometry, sides);
             leaks += !brute_force.hits(ray);

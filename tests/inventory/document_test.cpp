@@ -1,4 +1,4 @@
-// The inventory of docs/pbrt.md is that of the tables.
+// Compares the inventory in docs/pbrt.md with the reader's tables.
 #include <fmt/format.h>
 
 #include "tests/catch.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view heading = "## Inventory\n";
 
-/// A parameter with its default.
+/// Returns a parameter with its default.
 std::string described(const ParameterSpec& spec) {
     std::string text = fmt::format("`{}`", spec.name);
     for (std::size_t i = 0; i < spec.other_spellings().size(); ++i) {

@@ -32,7 +32,7 @@ void write_ply(const std::string& path, const std::string& corner) {
             corner + " 1 1\n-1 1 0 0 1\n3 0 1 2\n3 0 2 3\n");
 }
 
-/// The words of a table of pbrt-v3's Fourier BSDFs.
+/// The 32-bit words of a table of pbrt-v3's Fourier BSDFs.
 class Words {
   public:
     void integer(std::int32_t x) { append(x); }
@@ -49,7 +49,7 @@ class Words {
     std::string text_{"SCATFUN\x01"};
 };
 
-/// A surface that reflects this part of the light evenly: one coefficient for each pair of
+/// A surface that reflects this fraction of the light diffusely: one coefficient for each pair of
 /// directions on the same side.
 void write_bsdf(const std::string& path, float albedo) {
     constexpr float mu[] = {-1, -0.5F, -0.05F, 0.05F, 0.5F, 1};
@@ -60,7 +60,7 @@ void write_bsdf(const std::string& path, float albedo) {
     for (int i = 0; i < 4; ++i) words.integer(0);
     for (const float x : mu) words.number(x);
     const auto value = [&](int o, int i) {
-        const bool is_reflected = mu[o] * mu[i] < 0;  // light's direction is turned round
+        const bool is_reflected = mu[o] * mu[i] < 0;  // the incident direction is reversed
         return is_reflected ? albedo / std::numbers::pi_v<float> * std::abs(mu[i]) : 0.0F;
     };
     for (int o = 0; o < count; ++o) {

@@ -1,4 +1,4 @@
-// Every parameter of every PBRT plugin changes what it must.
+// Every parameter of every PBRT plugin changes the image, unless its row says why not.
 #include <fmt/format.h>
 
 #include "tests/catch.h"
@@ -61,7 +61,7 @@ bool is_same(const Picture& a, const Picture& b) {
     return a == b;
 }
 
-/// A row with the parameter that it is about.
+/// A row with its parameter.
 struct Change {
     const Studio& studio;
     const PluginType& plugin;
@@ -71,7 +71,7 @@ struct Change {
     Picture with(std::string_view name, ValueType type, std::string_view value) const {
         return studio.picture(plugin, std::string(row.with) + given(name, type, value));
     }
-    /// Returns whether the first picture has a value of its own.
+    /// Returns whether the first image has a value of its own.
     bool is_given_before() const {
         const bool is_among_others =
             row.with.find(fmt::format(" {}\"", spec.name)) != std::string_view::npos;
@@ -92,7 +92,7 @@ struct Change {
     }
 };
 
-/// Checks that a texture shows, and so does one that is not even.
+/// Checks that a texture has an effect, and that one that is not constant has another.
 void check_textures(const Change& c, const Picture& before, const Picture& after) {
     const Picture even = c.textured("\"constant\"" + given("value", c.spec.type, c.row.value));
     CHECK_FALSE(is_same(even, before));
@@ -110,7 +110,7 @@ void check(const Change& c) {
         CHECK(is_same(before, after));
         return;
     }
-    // Of what others stand in for, only integrators have parameters with an effect.
+    // Of plugins that are replaced by others, only integrators have parameters with an effect.
     if (!c.plugin.stand_in.empty() && c.plugin.category != Category::integrator) return;
     CHECK_FALSE(is_same(before, after));
     const std::string preset = default_of(c.spec);
@@ -128,7 +128,7 @@ void check(const Change& c) {
 
 }  // namespace
 
-TEST_CASE("every parameter of every plugin changes the picture, or it is said why not") {
+TEST_CASE("every parameter of every plugin changes the image, or it is said why not") {
     const Studio studio;
     for (std::size_t c = 0; c < pbrt::category_count; ++c) {
         for (const PluginType& plugin : plugin_types(static_cast<Category>(c))) {

@@ -10,7 +10,7 @@ constexpr std::string_view lens = "\"string lensfile\" \"lens.dat\" \"float focu
 constexpr std::string_view full =
     "\"string lensfile\" \"lens.dat\" \"bool simpleweighting\" \"false\" ";
 
-constexpr std::string_view has_no_lens = "all rays of an environment camera begin at its eye";
+constexpr std::string_view has_no_lens = "all rays of an environment camera start at one point";
 
 constexpr std::array cameras = {
     Row{"realistic", "shutteropen", "0.5", full},
@@ -33,7 +33,7 @@ constexpr std::array cameras = {
     Row{"realistic", "simpleweighting", "false", lens},
 };
 
-constexpr std::string_view own_points = "Etalon has points of its own, of any number of dimensions";
+constexpr std::string_view own_points = "Etalon's sampler has any number of dimensions";
 
 constexpr std::array samplers = {
     Row{"*", "pixelsamples", "7"},
@@ -66,8 +66,8 @@ constexpr std::array filters = {
     Row{"mitchell", "B", "0.9"}, Row{"mitchell", "C", "0.9"}, Row{"sinc", "tau", "1.5"},
 };
 
-constexpr std::string_view own_choice = "Etalon has a way of its own to choose lights";
-constexpr std::string_view a_path = "a path is followed from the camera";
+constexpr std::string_view own_choice = "Etalon has its own light sampling strategy";
+constexpr std::string_view a_path = "unidirectional path tracing is used instead";
 
 constexpr std::array integrators = {
     Row{"*", "maxdepth", "1"},
@@ -86,8 +86,8 @@ constexpr std::array integrators = {
     Row{"sppm", "photonsperiteration", "1000", {}, {}, a_path},
     Row{"sppm", "imagewritefrequency", "10", {}, {}, a_path},
     Row{"sppm", "radius", "0.1", {}, {}, a_path},
-    Row{"ambientocclusion", "cossample", "false", {}, {}, "directions always have the cosine"},
-    Row{"ambientocclusion", "nsamples", "8", {}, {}, "each of the sampler's samples has one ray"},
+    Row{"ambientocclusion", "cossample", "false", {}, {}, "directions are always cosine-weighted"},
+    Row{"ambientocclusion", "nsamples", "8", {}, {}, "each camera ray has one occlusion ray"},
 };
 
 constexpr std::string_view own_tree = "the command line names the backend";

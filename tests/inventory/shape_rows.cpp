@@ -31,8 +31,8 @@ constexpr std::string_view patch =
     "\"float uknots\" [0 0 .5 1 1] \"float vknots\" [0 0 .5 1 1] "
     "\"point P\" [-1 -1 0  0 -1 .5  1 -1 0  -1 0 .5  0 0 -.5  1 0 .7  -1 1 0  0 1 .5  1 1 0] ";
 
-// Of what is given twice, the last is taken. Where numbers must agree, a value ends its list and
-// brings the others along.
+// Of a parameter that is given twice, the last one is used. If numbers of values must agree, a
+// value also contains the parameters that belong to it.
 constexpr std::array shapes = {
     Row{"hyperboloid", "p1", "0.6 0 -0.5"},
     Row{"hyperboloid", "p2", "0.4 0.8 0.5"},

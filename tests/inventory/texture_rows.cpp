@@ -1,4 +1,4 @@
-// Textures of numbers and of colours have the same classes, but for two.
+// Float and spectrum textures have the same classes, except for two.
 #include <array>
 
 #include "tests/inventory/row.h"
@@ -7,8 +7,8 @@ namespace etalon::test {
 namespace {
 
 constexpr std::string_view map = "\"string filename\" \"a.png\" ";
-constexpr std::string_view no_footprints = "samples are taken, footprints are not filtered";
-constexpr std::string_view no_ptex = "no library of Debian reads ptex";
+constexpr std::string_view no_footprints = "textures are not filtered over footprints";
+constexpr std::string_view no_ptex = "ptex is not supported";
 constexpr std::string_view planar = "\"string mapping\" \"planar\" ";
 constexpr std::string_view planar_map =
     "\"string mapping\" \"planar\" \"string filename\" \"a.png\" ";

@@ -7,7 +7,7 @@ namespace {
 
 using pbrt::Category;
 
-/// What stands in the file unless the plugin does; each but the world is one directive.
+/// The file's contents unless replaced by the plugin; all but the world are single directives.
 struct World {
     std::string camera = "Camera \"perspective\" \"float fov\" 50";
     std::string sampler = "Sampler \"sobol\" \"integer pixelsamples\" 4";
@@ -69,7 +69,7 @@ constexpr std::string_view show_number =
 constexpr std::string_view show_color =
     "Texture \"shown\" \"spectrum\" \"scale\" \"texture tex1\" \"t\" \"rgb tex2\" [.8 .8 .7]\n";
 
-/// A light above the floor and a ball, turned to them.
+/// A light above the floor and a ball, directed at them.
 std::string with_light(const std::string& light) {
     return "AttributeBegin Translate .3 2.5 -.4 Rotate 80 1 0 .1\n" + light + "AttributeEnd\n";
 }

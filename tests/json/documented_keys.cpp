@@ -47,7 +47,7 @@ Path path_of(const std::string& key) {
     return path;
 }
 
-/// Patterns of the sections below a place.
+/// Collects the patterns of the sections below a path.
 class Expansion {
   public:
     explicit Expansion(const DocumentedSections& sections) : sections_(sections) {}

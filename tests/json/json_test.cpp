@@ -1,5 +1,5 @@
-// docs/json.md against what the programs write: every value is described, and all that is described
-// occurs.
+// Compares docs/json.md with the JSON of the programs: every value is described, and every
+// described value occurs.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -52,7 +52,7 @@ std::string type_of(const json& value) {
     return value.is_number() ? "integer" : std::string(value.type_name());
 }
 
-/// Checks JSONs against the document, and notes what of the document has occurred.
+/// Checks JSON against the document, and records which documented values have occurred.
 class Comparison {
   public:
     Comparison() {
@@ -67,7 +67,7 @@ class Comparison {
         check_at({}, value);
     }
 
-    /// What is documented, or occurred, and not the other.
+    /// Returns values that are documented but have not occurred, and the reverse.
     std::vector<std::string> missing() const {
         std::vector<std::string> lines;
         std::ranges::set_difference(documented_, seen_, std::back_inserter(lines));
@@ -103,7 +103,7 @@ class Comparison {
     std::set<std::string> documented_, seen_;
 };
 
-/// A scene with every light of PBRT.
+/// A scene with every light plugin of PBRT.
 constexpr const char* pbrt_lights = R"(Film "image" "integer xresolution" 8 "integer yresolution" 8
 LookAt 0 1 5 0 0 0 0 1 0
 Camera "perspective"
@@ -144,12 +144,12 @@ class Programs {
     const Folder& folder() const { return f_; }
 
   private:
-    /// A PFM image of one pixel, whose red is given by the bytes of a float, the highest first.
+    /// A PFM image of one pixel, whose red value is given by the bytes of a big-endian float.
     static std::string pixel(const std::string& red) {
         return "PF\n1 1\n1.0\n" + red + std::string(8, '\0');
     }
 
-    /// Says one thing more often than diagnostics are kept.
+    /// A scene with more diagnostics of one kind than are kept.
     static std::string wrong_scene() {
         std::string text = small_scene;
         for (int i = 0; i < 30; ++i) text += "s 0 0 zero 1\n";
@@ -234,7 +234,7 @@ void check_measurements(Comparison& c, const Programs& run) {
     c.check("etalon-bench-accuracy---json", json::parse(run.folder().read("a.json")));
 }
 
-/// The report itself takes minutes.
+/// Uses made-up figures, since the report itself takes minutes.
 void check_report(Comparison& c, const Programs& run) {
     const bench_report::Results results = sample_results();
     REQUIRE(write_data_files(run.folder().path(""), results, page_of(results)));

@@ -1,4 +1,4 @@
-// Directions to shapes that shine, and their densities.
+// Sampling of directions to emissive shapes, and their pdf.
 #include "core/light/area_shape.h"
 
 #include <numbers>
@@ -28,7 +28,8 @@ double mean_of_reciprocal_density(const Shape& shape, const Vec3& from) {
     return sum / samples;
 }
 
-/// Every sample's density is what pdf() says of its point, and the point is seen where it is.
+/// Checks that every sample's density is pdf() of its point, and that the point is on the visible
+/// surface.
 template <class Shape>
 void check_densities(const Shape& shape, const Vec3& from) {
     const ScrambledSobol points(11);
@@ -67,7 +68,7 @@ TEST_CASE("Directions to a triangle are as many in each part as its solid angle 
 TEST_CASE("A small or distant triangle is sampled by its area", "[light]") {
     const TriangleArea small({0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0});
     check_densities(small, Vec3(0.1, 0.2, 1));
-    // As good as seen face on from the distance: area cosine / distance^2.
+    // Nearly as a distant surface: area cosine / distance^2.
     CHECK_THAT(mean_of_reciprocal_density(small, Vec3(0, 0, 10)), WithinRel(5e-7 / 100, 1e-5));
 }
 
@@ -93,7 +94,7 @@ TEST_CASE("From points of a sphere itself the whole sphere is sampled", "[light]
     const ScrambledSobol points(13);
     for (std::uint32_t i = 0; i < 200; ++i) {
         const Vec3 from =
-            sphere.sample(Vec3(0), points(i)).position;  // on either side by roundings
+            sphere.sample(Vec3(0), points(i)).position;  // on either side, depending on rounding
         const AreaPoint p = sphere.sample(from, points(i + 1000));
         CHECK((p.position - from).length() > 1e-3);
         CHECK_THAT(sphere.pdf(from, p.position, p.normal), WithinRel(p.pdf, 1e-9));
@@ -140,8 +141,8 @@ RevolvedArea area_of(const Affine& map, const Profile& profile, double degrees =
     return RevolvedArea(Revolved(map, profile, Sector(degrees)));
 }
 
-/// Probability of directions to the surface as different from their density as these: a direction
-/// meets it at up to two points.
+/// Returns the p-value of a chi-square test of directions to the surface; a direction hits it at up
+/// to two points.
 double chi_square(const Revolved& surface, const Vec3& from, double density_factor = 1) {
     const RevolvedArea area(surface);
     Geometry geometry;

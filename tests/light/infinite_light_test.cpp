@@ -15,7 +15,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A light whose image of 16 x 8 texels is dark but for one.
+/// A light with an image of 16 x 8 texels, of which only one is bright.
 InfiniteSource one_bright_texel(const test::TemporaryFolder& folder) {
     RenderedImage image{16, 8, {{0, 0}, {15, 7}}, std::vector(16 * 8, Color(0.1F)), false, {}};
     image.pixels[3 * 16 + 5] = Color(50, 100, 200);
@@ -70,7 +70,7 @@ TEST_CASE("Directions are sampled as often as their density says", "[light]") {
     for (std::uint32_t i = 0; i < count; ++i) {
         const Vec3 d = anywhere(points(i));
         integral += 4 * pi * light.pdf(d) / count;
-        // What the samples leave out, and all of it.
+        // The part that samples leave out, and the whole.
         if (light.pdf(d) > 0) mean += light.radiance(d).y / count;
         const LightSample s = light.sample(points(i));
         REQUIRE(s.pdf > 0);

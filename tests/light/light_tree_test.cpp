@@ -1,4 +1,5 @@
-// Lights picked from a tree: as often as their probabilities say, and each that shines.
+// Lights sampled by a tree: as often as their probabilities state, and every light that
+// contributes.
 #include "core/light/light_tree.h"
 
 #include <cmath>
@@ -49,7 +50,7 @@ std::vector<Receiver> receivers() {
     return list;
 }
 
-/// Returns whether a light at the middle of its bounds sends something to the receiver.
+/// Returns whether a light at the centre of its bounds illuminates the receiver.
 bool shines(const LightBounds& light, const Receiver& at) {
     const Vec3 way = light.box.center() - at.position;
     double cosine = -normalized(way).dot(light.cone.axis);

@@ -1,4 +1,4 @@
-// Which light is asked at a point, and what it says.
+// Selection of a light at a point, and its samples.
 #include "core/light/lights.h"
 
 #include <numbers>

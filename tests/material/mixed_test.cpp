@@ -63,7 +63,7 @@ TEST_CASE("A ring of mixes ends", "[material]") {
     CHECK(reflected(bsdf).x > 0);
 }
 
-TEST_CASE("A material beside nothing is what is left of it", "[material]") {
+TEST_CASE("A material mixed with none keeps its own share", "[material]") {
     const Bsdf bsdf = flat_scattering({{NoMaterial{}, {}}, matte(0.5F), mixed(0, 1, Color(0.75F))});
     CHECK(reflected(bsdf).x == Approx(0.125));
 }

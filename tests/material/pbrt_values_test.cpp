@@ -1,4 +1,4 @@
-// Values against those that PBRT version 3's own code computed for the same materials.
+// Compares values with those that PBRT version 3's code computes for the same materials.
 #include <array>
 
 #include "tests/catch.h"
@@ -94,8 +94,8 @@ DisneyMaterial thin_disney() {
     return m;
 }
 
-/// Checks what a material reflects and transmits of light from everywhere to each of three
-/// directions.
+/// Checks the light that a material reflects and transmits under uniform illumination to each of
+/// three directions.
 void check_energy(const PhysicalMaterial& material, const std::array<Color, 3>& expected) {
     const Bsdf bsdf = flat_scattering({material});
     const std::array<Vec3, 3> eyes{{{0, 0, 1}, {0.6, 0, 0.8}, {0.48, 0.8, 0.36}}};
@@ -204,8 +204,8 @@ TEST_CASE("Values of the disney material are PBRT's", "[material]") {
          Color(0.0967909F, 0.0531785F, 0.0313723F), Color(0.103491F, 0.0520832F, 0.0262805F)});
 }
 
-// The means of pictures of a plane under light from everywhere, of 4 million samples each, with
-// errors below 5e-5; the last of the clear one is the integral of PBRT's values, for at grazing
+// The means of images of a plane under uniform illumination, of 4 million samples each, with errors
+// below 5e-5. The last value of the clear one is the integral of PBRT's values, since at grazing
 // angles its samples lose 0.6 % of them.
 TEST_CASE("The disney material scatters as much light as PBRT's", "[material]") {
     check_energy({plain_disney(), {}},

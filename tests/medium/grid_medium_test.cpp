@@ -28,7 +28,7 @@ PhysicalMedium block(float density) {
     return medium;
 }
 
-/// Rays through the cube [0, 2]^3, past it, within it, along its axes, and from it.
+/// Rays through the cube [0, 2]^3, past it, inside it, along its axes, and leaving it.
 std::vector<RaySegment> segments() {
     const auto between = [](const Vec3& a, const Vec3& b) {
         return RaySegment{a, normalized(b - a), (b - a).length()};

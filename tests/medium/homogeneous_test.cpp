@@ -8,8 +8,8 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-/// What flights leave of light, on average: on the way through, and scattered before and after a
-/// half of it.
+/// Mean light after sampled flights: transmitted, and scattered before and after half of the
+/// distance.
 struct Means {
     Vec3 through{0.0}, near{0.0}, far{0.0};
 };

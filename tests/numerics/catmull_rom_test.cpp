@@ -63,7 +63,7 @@ TEST_CASE("Places are chosen in proportion to a spline", "[spline]") {
     for (int k = 0; k < 1000; ++k) {
         const double u = (k + 0.5) / 1000;
         const SplineSample chosen = sample_spline(nodes, value, sum, u);
-        // What lies below it is the part u.
+        // The integral up to it is the fraction u.
         const std::size_t i =
             spline_interval(nodes.size(), [&](std::size_t n) { return nodes[n] <= chosen.x; });
         const SplineSegment s = spline_segment(nodes, value, i);

@@ -18,7 +18,7 @@ double parsed(const std::string& text) {
     return x;
 }
 
-/// Returns whether the number is kept, to the bit.
+/// Returns whether the number is stored without a change of its bits.
 bool is_kept(double x) {
     const std::optional<Decimal> d = Decimal::from(x);
     return d && std::bit_cast<std::uint64_t>(d->value()) == std::bit_cast<std::uint64_t>(x);

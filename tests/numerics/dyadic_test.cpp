@@ -9,7 +9,7 @@ using namespace etalon;
 
 namespace {
 
-/// A number of either sign below 2^reach, of any order of magnitude down to 2^-reach.
+/// Returns a number of either sign with a magnitude between 2^-reach and 2^reach.
 double any_number(int reach, Random& random) {
     const int exponent = static_cast<int>(random.index(2 * reach)) - reach;
     return std::ldexp(random.uniform(-1, 1), exponent);

@@ -12,7 +12,7 @@ int sign(double x) {
     return (x > 0) - (x < 0);
 }
 
-/// `v` with every component up to `ulps` steps away.
+/// Returns `v` with every component changed by up to `ulps` steps.
 Vec3 nudged(Vec3 v, int ulps, Random& random) {
     for (int k = 0; k < 3; ++k) v[k] *= 1 + 0x1p-52 * std::round(random.uniform(-ulps, ulps));
     return v;
@@ -38,7 +38,8 @@ struct EdgeCase {
     Vec3 o, d, a, b;
 };
 
-/// Rays aimed at a point of an edge, as exactly as doubles can, so that the volume nearly vanishes.
+/// Rays aimed at a point of an edge, as exactly as doubles allow, so that the volume nearly
+/// vanishes.
 EdgeCase nearly_coplanar(Random& random, double distance) {
     EdgeCase c;
     c.a = random.in_cube();
@@ -95,7 +96,7 @@ TEST_CASE(
         wrong_in_double += sign(plain) != expected;
     }
     INFO(zeros << " exact zeros, " << wrong_in_double << " that plain double gets wrong");
-    REQUIRE(wrong_in_double > 1000);  // or the test would prove nothing
+    REQUIRE(wrong_in_double > 1000);  // otherwise the test proves nothing
 }
 
 TEST_CASE("exact_edge_volume: given a ray through a corner or along an edge, then it is zero") {

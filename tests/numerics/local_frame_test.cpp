@@ -8,7 +8,7 @@ using namespace etalon;
 
 namespace {
 
-/// Two of the columns agree but for 10^-exponent.
+/// Two of the columns differ by 10^-exponent only.
 Affine nearly_singular(double exponent, Random& random) {
     const Vec3 x = random.in_cube(), z = random.in_cube();
     return {x, x + std::pow(10.0, -exponent) * random.in_cube(), z, random.in_cube()};
@@ -54,7 +54,7 @@ TEST_CASE("LocalFrame: given any map, then the rows that may be turned are at ri
         REQUIRE(cosine(sphere.row(1), sphere.row(2)) < 0x1p-9);
         REQUIRE(cosine(sphere.row(2), sphere.row(0)) < 0x1p-9);
         REQUIRE(cosine(round.row(0), round.row(1)) < 0x1p-9);
-        // The axis of what is round about z stays where it is.
+        // The axis of a shape that is rotationally symmetric about z does not change.
         REQUIRE((column(round, map, 2) - map.z).length() <= 4 * unit_roundoff);
     }
 }

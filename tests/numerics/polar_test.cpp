@@ -1,4 +1,4 @@
-// Maps taken apart into rotations and stretches, and rotations as quaternions.
+// Polar decomposition of maps into rotations and stretches, and rotations as quaternions.
 #include "core/numerics/polar.h"
 
 #include "core/numerics/quaternion.h"

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float float_infinity = std::numeric_limits<float>::infinity();
 
-/// Doubles of every kind that a float may have trouble with.
+/// Returns doubles of all kinds for which rounding to float is difficult.
 std::vector<double> awkward_doubles() {
     std::vector<double> values = {0.0,        1.0,     0x1p-149,       0x1p-150,
                                   0x1.8p-150, 1e-300,  0x1p-1074,      1e300,

@@ -1,5 +1,5 @@
-// Ambient occlusion against closed forms. Cosine-weighted directions are points spread evenly over
-// the unit disk below them, so that what is visible is an area of the disk over pi.
+// Compares ambient occlusion with closed forms. Cosine-weighted directions are uniform points of
+// the unit disk below them, so visibility is an area of the disk divided by pi.
 #include <cmath>
 #include <numbers>
 
@@ -11,7 +11,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// An empty scene of one pixel so narrow that all its rays meet the point `at`.
+/// An empty scene with one pixel so narrow that all its rays hit the point `at`.
 TestScene looking_at(const Vec3& eye, const Vec3& at) {
     TestScene scene = empty_scene(1, 1);
     scene.camera.eye = eye;
@@ -37,14 +37,14 @@ float visible(const TestScene& scene) {
     return c.x;
 }
 
-/// Stands at x = 0, faces the floor's point, and is as good as endless along z.
+/// A wall at x = 0 that faces the point on the floor and is nearly infinite along z.
 Box wall(double height) {
     return {Vec3(-1, -1, -1e5), Vec3(0, height, 1e5)};
 }
 
 }  // namespace
 
-TEST_CASE("An open plane is white, from either side, and what meets nothing is black", "[ao]") {
+TEST_CASE("An open plane is white, from either side, and a miss is black", "[ao]") {
     TestScene scene = floor_at(0);
     CHECK(visible(scene) == 1);
     scene.camera.eye.y = -2;
@@ -61,7 +61,7 @@ TEST_CASE("The inside of a sphere is black, to the last pixel", "[ao]") {
     scene.settings.integrator = "ao";
     scene.settings.samples_per_pixel = GENERATE(0, 16);
     for (const Color& c : image(scene)) REQUIRE(c == Color(0.0F));
-    scene.settings.max_distance = 1e-3;  // a chord as short is nearly in the surface
+    scene.settings.max_distance = 1e-3;  // such a short chord is nearly in the surface
     const std::vector<Color> near = image(scene);
     CHECK(std::ranges::all_of(near, [](const Color& c) { return c.x > 0.9F; }));
 }
@@ -72,8 +72,8 @@ TEST_CASE("An endless wall hides half of the floor's sky, wherever", "[ao]") {
     CHECK(visible(scene) == Approx(0.5).margin(1e-3));
 }
 
-// Across an edge without end, the directions up to the angle a from the normal are (1 + sin a) / 2
-// of the disk.
+// At an infinite edge, the directions up to the angle a from the normal are (1 + sin a) / 2 of the
+// disk.
 TEST_CASE("A wall of height h hides (1 - x / sqrt(x^2 + h^2)) / 2 of the sky at x", "[ao]") {
     const double x = GENERATE(0.25, 1.0, 3.0), h = GENERATE(0.5, 2.0);
     TestScene scene = floor_at(x);

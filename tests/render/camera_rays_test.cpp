@@ -18,7 +18,7 @@ const Imath::V2i size(200, 100);
 
 }  // namespace
 
-TEST_CASE("The vertical field of view spans the full height of the picture", "[render]") {
+TEST_CASE("The vertical field of view spans the full height of the image", "[render]") {
     const CameraRays camera(looking_down_z(), size);
     const Ray top = camera.ray(Vec2(100, 0), Vec2(0.5));
     CHECK(top.direction.y == Approx(std::sqrt(0.5)));
@@ -28,7 +28,7 @@ TEST_CASE("The vertical field of view spans the full height of the picture", "[r
     CHECK(camera.ray(Vec2(100, 50), Vec2(0.5)).direction == Vec3(0, 0, -1));
 }
 
-TEST_CASE("A stretched picture has its field of view both ways", "[render]") {
+TEST_CASE("A stretched image has its field of view in both directions", "[render]") {
     Camera c = looking_down_z();
     c.stretched = true;
     const CameraRays camera(c, size);
@@ -91,7 +91,7 @@ TEST_CASE("Rays begin anywhere on a lens with the same density", "[render]") {
     CHECK(chi_square_probability(numbers_on_disk(too_central), expected) < 1e-3);
 }
 
-TEST_CASE("world_to_ndc takes what a pixel sees to the pixel's place", "[render]") {
+TEST_CASE("world_to_ndc maps a point seen by a pixel to the pixel's position", "[render]") {
     Camera c{Vec3(3, -2, 5), Vec3(0.5, 1, -1), Vec3(0.2, 1, 0.1), 40, 0, 1};
     const CameraRays camera(c, {320, 200});
     const Ray ray = camera.ray(Vec2(80, 50), Vec2(0.5));
@@ -114,7 +114,8 @@ TEST_CASE("An up vector along the view direction still gives a frame", "[render]
     CHECK(ray.direction.length() == Approx(1));
 }
 
-TEST_CASE("Rays made together are those made one by one, whatever the instructions", "[render]") {
+TEST_CASE("Rays generated together equal those generated one by one, for every instruction set",
+          "[render]") {
     for (const double aperture : {0.0, 8.0}) {
         Camera c{Vec3(3, -2, 5), Vec3(0.5, 1, -1), Vec3(0.2, 1, 0.1), 40, aperture, 1.5};
         const CameraRays camera(c, size);

@@ -12,13 +12,13 @@ namespace {
 
 constexpr int side = 64;
 
-/// Function that is sampled at points of the unit square, and its exact mean, for each pixel.
+/// A function sampled at points of the unit square, and its exact mean, for each pixel.
 struct Integrand {
     double (*at)(const Vec2& point, double place);
-    double (*mean)(double place);  ///< `place`: of the pixel, in [0, 1)
+    double (*mean)(double place);  ///< `place`: position of the pixel, in [0, 1)
 };
 
-/// The error expected after so many samples of each pixel, and the true one.
+/// The estimated error after so many samples per pixel, and the true one.
 struct Errors {
     double expected, real;
 };
@@ -27,7 +27,7 @@ double place_of(int pixel) {
     return pixel % 61 / 61.0;
 }
 
-/// `decodes`: errors of the light that the function's values stand for.
+/// `decodes`: the function's values are display values, and errors are those of their light.
 Errors errors_after(std::uint32_t samples, const Integrand& f, Sampler sampler,
                     bool decodes = false) {
     Film film({{0, 0}, {side - 1, side - 1}});
@@ -95,7 +95,8 @@ TEST_CASE("Of display values the error is that of the light they stand for", "[e
     }
 }
 
-// That of two-dimensional nets falls by turns faster and slower, as their cells are squares or not.
+// The error of two-dimensional nets falls alternately faster and slower, as their cells are squares
+// or not.
 TEST_CASE("Of well distributed samples of edges the error is known to a factor of 1.7",
           "[estimate]") {
     for (const std::uint32_t samples : {16, 32, 64, 128}) {
@@ -113,7 +114,7 @@ TEST_CASE("Of a smooth surface no less error is expected than there is", "[estim
     CHECK(e.expected > e.real);
 }
 
-TEST_CASE("What a pixel itself changed has no part in what its neighbours say", "[estimate]") {
+TEST_CASE("A pixel's own change does not enter the estimate from its neighbours", "[estimate]") {
     Film film({{0, 0}, {2, 2}});
     ErrorEstimate estimate(3, 3, false);
     const auto add = [&](float centre, float others) {

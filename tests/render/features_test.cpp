@@ -26,7 +26,7 @@ SurfaceMeans means_of(const TestScene& scene) {
     return surface_means(scene, *intersector, scene.settings).value();
 }
 
-/// Materials that are nothing but their albedo, and before a black background.
+/// A scene of purely diffuse materials with a black background.
 TestScene without_light(TestScene scene) {
     for (Material& m : scene.whitted().materials) m = matte(m.diffuse);
     scene.whitted().lights.clear();
@@ -34,7 +34,7 @@ TestScene without_light(TestScene scene) {
     return scene;
 }
 
-/// The same where all surfaces glow in their albedo: its image is an image of that.
+/// The same with surfaces that emit their albedo, so that the image shows the albedo.
 TestScene glowing(TestScene scene) {
     for (Material& m : scene.whitted().materials) std::swap(m.ambient, m.diffuse);
     return scene;
@@ -99,7 +99,7 @@ TEST_CASE("The cost of the backend none is every primitive for every ray", "[fea
     }
 }
 
-TEST_CASE("Albedo is what the material sends on by all its ways, at most all", "[features]") {
+TEST_CASE("Albedo is the sum of reflection and transmission, at most 1", "[features]") {
     TestScene scene = empty_scene(1, 1);
     Material m = matte(Color(0.5F, 0.25F, 0.0F));
     m.reflection = Color(0.25F, 0.0F, 0.0F);
@@ -124,7 +124,7 @@ TEST_CASE("Normals are those for shading and face who looks", "[features]") {
     CHECK((back + leaning).length() < 1e-6);
 }
 
-TEST_CASE("Means are over the picture's own samples, the first 16", "[features]") {
+TEST_CASE("Means are over the first 16 of the image's own samples", "[features]") {
     TestScene scene = without_light(mixed_scene());
     const auto [samples, pictured] = GENERATE(std::pair(5, 5), std::pair(40, 16));
     scene.settings.samples_per_pixel = pictured;
@@ -133,7 +133,7 @@ TEST_CASE("Means are over the picture's own samples, the first 16", "[features]"
     CHECK(means_of(scene).albedo.pixels() == expected);
 }
 
-TEST_CASE("Means follow a picture without samples, wherever its rays are", "[features]") {
+TEST_CASE("Means use the rays of an image without samples", "[features]") {
     TestScene scene = without_light(mixed_scene());
     scene.settings.samples_per_pixel = 0;
     scene.settings.pixel_rays =

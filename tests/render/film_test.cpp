@@ -35,8 +35,7 @@ TEST_CASE("Cells of corners have the samples of all four", "[film]") {
     CHECK(cell.variances()[0].x == Approx(5.0 / 3));
 }
 
-TEST_CASE("Films add up to the same means in any order, whatever the sizes of their sums",
-          "[film]") {
+TEST_CASE("Films add up to the same means in any order, for sums of any size", "[film]") {
     const Imath::Box2i window({0, 0}, {0, 0});
     std::vector<Film> films;
     for (const float value : {1e8F, 3.0F, -1e8F, 1e-9F, 7e15F, -7e15F}) {

@@ -36,12 +36,12 @@ TEST_CASE("A filter's weights are those of its formula", "[film]") {
     CHECK(gaussian(1) == Approx(std::exp(-0.5) - std::exp(-1.125)));
     CHECK(gaussian(1.5) == 0);
     const FilterAxis mitchell = axis({FilterKind::mitchell, {2, 1}});
-    CHECK(mitchell(0) == Approx(8.0 / 9));  // the published one has its radius at 2, too
+    CHECK(mitchell(0) == Approx(8.0 / 9));  // the published filter also has a radius of 2
     CHECK(mitchell(1) == Approx(1.0 / 18));
     CHECK(mitchell(1.5) == Approx(-5.0 / 144));
     CHECK(mitchell(2) == Approx(0).margin(1e-15));
     CHECK(axis({FilterKind::mitchell, {4, 1}})(3) == Approx(-5.0 / 144));
-    CHECK(axis({FilterKind::mitchell, {2, 1}, 2, 0, 0.5})(0) == 1);  // Catmull and Rom's
+    CHECK(axis({FilterKind::mitchell, {2, 1}, 2, 0, 0.5})(0) == 1);  // Catmull-Rom
     const FilterAxis sinc = axis({FilterKind::sinc, {4, 1}, 2, 0, 0, 3});
     CHECK(sinc(0) == 1);
     CHECK(sinc(1) == Approx(0).margin(1e-15));

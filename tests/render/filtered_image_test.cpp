@@ -80,7 +80,7 @@ TEST_CASE("The variance of a filtered image is that of each pixel's own samples"
     CHECK(rendered(soft).film.variances() == rendered(sharp).film.variances());
 }
 
-TEST_CASE("A filtered image ends near the error asked for", "[film]") {
+TEST_CASE("A filtered image ends near the target error", "[film]") {
     for (const double aperture : {0.0, 12.0}) {  // beneath a filter, a lens' samples lie less well
         for (const PixelFilter& filter : {gaussian, PixelFilter{FilterKind::box, {1, 1}}}) {
             TestScene reference = scene_with(filter, 1024);

@@ -12,7 +12,7 @@ using namespace etalon;
 
 namespace {
 
-/// Returns whether half of the smallest normal number is a number here.
+/// Returns whether denormals are enabled: half of the smallest normal number is not 0.
 bool denormals_live() {
     volatile double smallest = std::numeric_limits<double>::min();
     volatile float smallest_f = std::numeric_limits<float>::min();

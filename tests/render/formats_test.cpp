@@ -20,7 +20,7 @@ TestScene scene_of(const std::string& format, const std::string& text) {
     return {std::move(*r.scene), r.settings};
 }
 
-/// Colour seen from (x, y, 5) down z, before a background of (0.25, 0.5, 1).
+/// Returns the colour seen from (x, y, 5) along -z, with a background of (0.25, 0.5, 1).
 Color nff_at(double x, double y, const std::string& text) {
     const std::string place = std::to_string(x) + " " + std::to_string(y);
     return centre(scene_of("nff", "b 0.25 0.5 1 v from " + place + " 5 at " + place +
@@ -91,7 +91,7 @@ TEST_CASE("a PRT shell of index 1 is not seen", "[render]") {
     }
 }
 
-TEST_CASE("a thin PRT shell of glass does not turn the picture over as a ball does", "[render]") {
+TEST_CASE("a thin PRT shell of glass does not invert the image as a ball does", "[render]") {
     const std::string wall = glowing + "polygon 4 -99 -99 -40 0 -99 -40 0 99 -40 -99 99 -40\n";
     for (const double x : {-0.5, 0.5}) {
         const bool left = x < 0;
@@ -152,7 +152,8 @@ TestScene hall_of_pairs(const std::string& definition,
     return scene_of("prt", text);
 }
 
-/// The pair with its centre at x, y, 0. The ring takes the surface in front of it.
+/// Returns the pair with its centre at x, y, 0. The ring has the surface of the statement before
+/// it.
 std::string pair_at(double x, double y) {
     const auto point = [&](double dx, double dy, double dz) {
         return std::to_string(x + dx) + ' ' + std::to_string(y + dy) + ' ' + std::to_string(dz) +
@@ -164,7 +165,7 @@ std::string pair_at(double x, double y) {
 
 }  // namespace
 
-TEST_CASE("PRT instances show what is seen of copies, converted as well", "[render]") {
+TEST_CASE("PRT instances give the same image as copies, also when converted", "[render]") {
     const TestScene instances =
         hall_of_pairs("instance pair\n" + pair_at(0, 0) + "end_instance\n", [](double x, double y) {
             return "instance_of pair " + std::to_string(x) + ' ' + std::to_string(y) + " 0\n";

@@ -1,4 +1,4 @@
-// Paths through media against what is known of small scenes.
+// Compares paths through media with closed forms for small scenes.
 #include <numbers>
 
 #include "core/formats/load.h"
@@ -15,7 +15,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// A scene 8 x 8 pixels through a narrow camera at (0, 0, -5) that looks along z.
+/// A scene of 8 x 8 pixels with a narrow camera at (0, 0, -5) that looks along z.
 TestScene scene_of(const std::string& world, const std::string& options = "") {
     const std::string text =
         "LookAt 0 0 -5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" .1\n"
@@ -93,7 +93,7 @@ const std::string white_grid = "\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [1 2 3]"
 
 }  // namespace
 
-TEST_CASE("A medium that absorbs leaves what its thickness says", "[media]") {
+TEST_CASE("An absorbing medium transmits light by Beer's law", "[media]") {
     const Vec3 expected(std::exp(-0.2), std::exp(-1.0), std::exp(-2.0));
     check_equal(brightness(sky + absorbing + ball), expected, 1e-4);
     check_equal(brightness(sky + absorbing +
@@ -102,7 +102,7 @@ TEST_CASE("A medium that absorbs leaves what its thickness says", "[media]") {
                 {std::exp(-0.05), std::exp(-0.25), std::exp(-0.5)}, 1e-4);
 }
 
-TEST_CASE("A camera in a medium sees what the medium leaves", "[media]") {
+TEST_CASE("A camera in a medium sees attenuated light", "[media]") {
     const std::string wall =
         "AreaLightSource \"diffuse\" Material \"matte\" Shape \"trianglemesh\" \"point P\" "
         "[-9 -9 0 9 -9 0 0 9 0] \"integer indices\" [0 2 1]";
@@ -140,8 +140,8 @@ TEST_CASE("A grid of one density looks as a homogeneous medium", "[media]") {
                 brightness(sky + lamp + even + small, samples), 0.015);
 }
 
-TEST_CASE("A medium shows light once scattered as its phase function says", "[media]") {
-    // Thin, so that little is scattered twice: along the ray the light of a distant source.
+TEST_CASE("Single scattering in a medium follows its phase function", "[media]") {
+    // Thin, so that little light is scattered twice; along the ray it is that of a distant light.
     const std::string thin =
         "MakeNamedMedium \"m\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [0 0 0] "
         "\"rgb sigma_s\" [.01 .01 .01] \"float g\" .6\n";
@@ -195,7 +195,7 @@ TEST_CASE("Directions to the beam of a spot have their density", "[media]") {
 }
 
 TEST_CASE("A spot in fog is as bright without directions to its beam", "[media]") {
-    // A sky that is all but black makes the difference.
+    // Only a nearly black sky differs.
     const Vec3 with = mean(image(foggy_spot("")));
     const Vec3 without =
         mean(image(foggy_spot("LightSource \"infinite\" \"color L\" [1e-9 1e-9 1e-9]\n")));

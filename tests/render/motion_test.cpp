@@ -1,4 +1,4 @@
-// What moves while the shutter is open: the camera, shapes and instances.
+// Motion while the shutter is open, of the camera, shapes and instances.
 #include "core/render/camera_sampler.h"
 #include "core/scene/transformed.h"
 #include "tests/render/pbrt_scene.h"
@@ -13,8 +13,8 @@ namespace {
 const std::string turn =
     "ActiveTransform EndTime Rotate 40 0 1 0 Translate 3 0 0 ActiveTransform All ";
 
-/// A black square that covers the view when the shutter opens, and leaves it to the right after an
-/// eighth of the motion, before light from everywhere.
+/// A black square in front of uniform light, which covers the view when the shutter opens and has
+/// left it to the right after an eighth of the motion.
 const std::string leaving_square =
     "LightSource \"infinite\" Material \"matte\" \"rgb Kd\" [0 0 0] "
     "ActiveTransform EndTime Translate 8 0 0 ActiveTransform All "
@@ -133,7 +133,7 @@ TEST_CASE("Camera rays are of all times if something moves, else of the first", 
     for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i].direction == b[i].direction);
 }
 
-TEST_CASE("Motion within an object is told to be left out", "[motion]") {
+TEST_CASE("Motion within an object is left out with a warning", "[motion]") {
     const LoadResult loaded = load_scene_text("WorldBegin ObjectBegin \"o\" " + turn +
                                                   "Shape \"sphere\" ObjectEnd "
                                                   "ObjectInstance \"o\" WorldEnd",

@@ -1,4 +1,4 @@
-// The path tracer against what is known of small scenes.
+// Compares the path tracer with closed forms for small scenes.
 #include "core/scene/transformed.h"
 #include "tests/catch.h"
 #include "tests/render/pbrt_scene.h"
@@ -24,7 +24,7 @@ double brightness(const std::string& world, const std::string& options = "") {
 const std::string sky = "LightSource \"infinite\" \"color L\" [1 1 1]\n";
 const std::string deep = "Integrator \"path\" \"integer maxdepth\" 100";
 
-/// One of all that scatters, lit by all kinds of light.
+/// A scene with all kinds of materials and lights.
 const std::string room =
     "LightSource \"point\" \"color I\" [8 9 7] \"point from\" [-2 3 -3]\n"
     "LightSource \"distant\" \"point from\" [3 2 -1] \"point to\" [0 0 0] \"color L\" [.5 .4 .3]\n"
@@ -52,7 +52,7 @@ TestScene lit_room() {
 }  // namespace
 
 TEST_CASE("A ball in a box of many lights reflects its albedo", "[path]") {
-    // A face of 10 x 10 squares, six times: too many lights to compare all at each point.
+    // Six faces of 10 x 10 squares: too many lights to evaluate all at each point.
     std::string points, indices;
     for (int i = 0; i < 121; ++i) {
         points += std::to_string(i % 11 * 1.2 - 6) + " " + std::to_string(i / 11 * 1.2 - 6) + " 6 ";
@@ -157,7 +157,7 @@ TEST_CASE("A surface without material, and one cut out, are passed by all rays",
     const double open = brightness(plane);
     CHECK(open > 0.05);
     CHECK_THAT(brightness(plane + veil + "\"float alpha\" 0"), WithinRel(open, 1e-6));
-    // Rays to the light are blocked by what has no material, as pbrt-v3's path tracer has it.
+    // Shadow rays are blocked by surfaces with the null material, as in pbrt-v3's path tracer.
     CHECK(brightness(plane + "Material \"\" " + veil) == 0);
     CHECK_THAT(brightness(sky + "Shape \"sphere\" Material \"\" " + veil),
                WithinRel(brightness(sky + "Shape \"sphere\""), 1e-6));

@@ -1,4 +1,4 @@
-// Pictures of pbrt-v3 beside those of the path tracer.
+// Compares images of the path tracer with those of pbrt-v3.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -24,8 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int block_side = 8;
-constexpr double mean_limit = 2e-3;  ///< of a picture and of a block, beside the noise
-constexpr int pictures = 12;         ///< of other seeds, of each scene
+constexpr double mean_limit = 2e-3;  ///< for an image and a block, in addition to noise
+constexpr int pictures = 12;         ///< with different seeds, for each scene
 
 /// A line of pbrt-v3's table: its errors at the scene's number of samples.
 struct ForeignPicture {
@@ -59,7 +59,7 @@ std::pair<std::string, int> reference_of(const fs::path& scene) {
     return {};
 }
 
-/// Mean and variance of a quantity of several pictures.
+/// Mean and variance of a quantity over several images.
 struct Moments {
     double mean = 0, variance = 0;
 
@@ -70,18 +70,18 @@ struct Moments {
     }
 };
 
-/// How far pictures are from a reference.
+/// Differences of images from a reference.
 struct Comparison {
     double worst_mean = 0;    ///< relative difference of a channel's mean
     double worst_mean_z = 0;  ///< the same in standard errors
     double worst_block_z = 0;
-    double relmse = 0;  ///< mean of the pictures'
+    double relmse = 0;  ///< mean over the images
     int blocks = 0;     ///< times channels
 };
 
-/// What is known of a reference's noise: pbrt-v3's error at the scene's number of samples.
+/// Noise of a reference, estimated from pbrt-v3's error at the scene's number of samples.
 struct Noise {
-    double of_ours;  ///< variance of a part of it, in that of a picture of ours
+    double of_ours;  ///< variance of a part of it, relative to that of our images
     double mse;      ///< mean over its pixels
 };
 
@@ -89,9 +89,9 @@ using Pictures = std::vector<std::vector<Color>>;
 
 class Comparer {
   public:
-    /// `others`: the same images with the other of any two surfaces that lie in the same place.
-    /// pbrt-v3, which finds hits in floats, shows either, so a block of its picture may be anywhere
-    /// between both.
+    /// `others`: the same images with the other of any two coincident surfaces visible. pbrt-v3,
+    /// which finds hits in float, shows either, so a block of its image may be anywhere between
+    /// both.
     Comparer(const Image& reference, const Pictures& images, const Pictures& others)
         : reference_(reference), images_(images), others_(others) {}
 
@@ -150,7 +150,7 @@ class Comparer {
         return sum / static_cast<double>(image.size());
     }
 
-    /// How far images and `others`, and all between them, are from the reference.
+    /// Returns the differences of images, `others`, and all values between them from the reference.
     Difference difference_in(const Box& box, int channel, const Pictures& others,
                              const Noise& noise, double tolerance) const {
         std::vector<double> sums(images_.size());
@@ -181,7 +181,7 @@ class Comparer {
     const Pictures &images_, &others_;
 };
 
-/// Renders a scene with a seed. `other`: shows the other of two surfaces in the same place.
+/// Renders a scene with a seed. `other` shows the other of two coincident surfaces.
 std::vector<Color> picture_of(LoadResult& loaded, int seed, bool other) {
     loaded.settings.seed = seed;
     const auto first = find_backend(default_backend)->build(loaded.scene->geometry);
@@ -202,24 +202,23 @@ Pictures pictures_of(LoadResult& loaded, bool other) {
     return images;
 }
 
-/// Whether surfaces that can be seen lie in the same place.
+/// Returns whether visible surfaces coincide.
 bool shows_coincident_surfaces(LoadResult& loaded) {
     return picture_of(loaded, 1, false) != picture_of(loaded, 1, true);
 }
 
-/// What a scene's warnings say of things that are not rendered yet.
+/// Returns a scene's warnings about features that are not rendered yet.
 bool is_rendered_whole(const LoadResult& loaded) {
     return std::ranges::none_of(loaded.diagnostics, [](const Diagnostic& d) {
         return d.kind == "stand-in" || d.kind == "motion" || d.kind == "shape";
     });
 }
 
-/// Returns whether pbrt-v3 shadows shapes of the scene by themselves: towards the tip of a cone and
-/// of a paraboloid its shadow rays meet the surface that they leave. The exact cone of this program
-/// and one of many triangles agree that there is no shadow (24 % of the light at a cone's tip).
-/// Under light from everywhere pbrt-v3's own hyperboloid is darker by 1.2 % than its mesh of
-/// triangles for the same surface, a paraboloid by 0.8 %; this program's pictures of both are those
-/// of the meshes.
+/// Returns whether shapes of the scene shadow themselves in pbrt-v3: near the apex of a cone or a
+/// paraboloid its shadow rays hit the surface that they leave. The exact cone of this program and
+/// one of many triangles agree that there is no shadow (24 % of the light at a cone's apex). Under
+/// uniform illumination pbrt-v3's hyperboloid is 1.2 % darker than its triangle mesh of the same
+/// surface, and a paraboloid 0.8 %; this program's images of both agree with the meshes.
 bool is_darkened_by_errors(const fs::path& scene) {
     std::ifstream file(scene);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -227,15 +226,15 @@ bool is_darkened_by_errors(const fs::path& scene) {
                                [&](const char* shape) { return text.find(shape) != text.npos; });
 }
 
-/// Half-width of Student's distribution of pictures - 1 degrees of freedom that `count` of them
-/// stay in with a probability of 99 %, from above.
+/// Upper bound of the half-width of Student's distribution with pictures - 1 degrees of freedom
+/// that contains all of `count` values with a probability of 99 %.
 double bound_for(int count) {
     return 6.5 + 0.9 * std::log10(static_cast<double>(count));
 }
 
 }  // namespace
 
-TEST_CASE("pictures of PBRT scenes are those of pbrt-v3", "[needs_shared_scenes][long]") {
+TEST_CASE("images of PBRT scenes agree with pbrt-v3", "[needs_shared_scenes][long]") {
     const fs::path folder = shared_scenes_folder() / "pbrt";
     const std::vector<ForeignPicture> all = foreign_pictures(folder / "pbrt-v3.tsv");
     SKIP_UNLESS(!all.empty(), "no pictures of pbrt-v3 in " << folder);
@@ -272,7 +271,7 @@ TEST_CASE("pictures of PBRT scenes are those of pbrt-v3", "[needs_shared_scenes]
     CHECK(compared >= 25);
 }
 
-TEST_CASE("pictures of small scenes are those of pbrt-v3") {
+TEST_CASE("images of small scenes agree with pbrt-v3") {
     const fs::path folder = fs::path(ETALON_SOURCE_DIR) / "tests/render/references";
     int compared = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {

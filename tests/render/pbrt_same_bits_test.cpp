@@ -1,5 +1,5 @@
-// Scenes of instances and of all of PBRT's shapes: the same bits by every exact backend, on any
-// number of threads, at any scale by a power of two.
+// Scenes with instances and all of PBRT's shapes: the same bits with every exact backend and number
+// of threads, and when scaled by a power of two.
 #include <filesystem>
 
 #include "core/formats/load.h"

@@ -1,4 +1,4 @@
-// Scenes of the Whitted-style formats under the physical rules that they are converted to.
+// Scenes of the Whitted-style formats converted to physical materials and lights.
 #include <filesystem>
 
 #include "core/color/srgb.h"
@@ -24,7 +24,7 @@ TestScene loaded(LoadResult result) {
     return scene;
 }
 
-/// A scene of P3F's statements in front of a narrow camera at (0, 0, 5) that looks at the origin.
+/// A scene of P3F statements with a narrow camera at (0, 0, 5) that looks at the origin.
 TestScene p3f_scene(const std::string& statements, int samples = 64) {
     return loaded(load_scene_text("p3f\nspp " + std::to_string(samples) + "\n" + statements +
                                       "camera\neye 0 0 5\nat 0 0 0\nup 0 1 0\nangle 1\n"
@@ -43,12 +43,12 @@ Color mean(TestScene scene, const char* integrator) {
     return mean(image(scene));
 }
 
-/// What a scene's green shows by the Whitted rules, as light.
+/// Returns the green radiance of a scene rendered with `whitted`.
 double whitted_light(const TestScene& scene) {
     return srgb_decoded(mean(scene, "whitted").y);
 }
 
-/// How far sRGB's curve of a product may be from the product of those of its factors, here.
+/// Largest difference between a decoded product and the product of its decoded factors, here.
 constexpr double decoding_error = 0.15;
 
 const std::string floor_of_half =
@@ -67,13 +67,13 @@ TEST_CASE("A diffuse surface that faces a light is as bright by path as by whitt
     }
 }
 
-TEST_CASE("Mirrors and glass show by path what they show by whitted", "[path]") {
+TEST_CASE("Mirrors and glass look the same with path and whitted", "[path]") {
     const std::string sky = "bclr 0.8 0.6 0.4\n";
     const std::string ball = "s 0 0 0 1\n";
     for (const std::string& material : {std::string("mat 0 0 0 0 1 0.5 1 0.7 10 0 1\n"),
                                         std::string("mat 0 0 0 0 1 1 1 0 10 1 1.5\n")}) {
         CAPTURE(material);
-        // Absorption is lost: an `f` has none.
+        // Absorption is lost, and an `f` has none.
         const std::string statement = material.substr(3);
         const TestScene scene = p3f_scene(sky + "f" + statement + ball);
         CHECK_THAT(mean(scene, "path").y, WithinRel(whitted_light(scene), decoding_error));

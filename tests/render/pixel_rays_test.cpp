@@ -1,4 +1,4 @@
-// Images without samples: where their rays go, and the counts of the SPD benchmark.
+// Images without samples: the directions of their rays, and the counts of the SPD benchmark.
 #include "core/formats/load.h"
 #include "core/integrators/whitted/whitted.h"
 #include "core/render/camera_rays.h"
@@ -40,7 +40,7 @@ RayCounts counts_of(const TestScene& scene) {
     return rendered(scene).counts;
 }
 
-/// A ball that lets half of the light through and mirrors nothing.
+/// A ball that transmits half of the light and reflects none.
 TestScene clear_ball() {
     TestScene scene = empty_scene();
     Material clear;
@@ -99,7 +99,7 @@ TEST_CASE("where all glass mirrors, a mirrored ray of no weight is counted", "[r
     scene.settings.whitted.mirror_all_glass = true;
     const RayCounts with = counts_of(scene);
     CHECK(with.reflected >= with.refracted);
-    CHECK(with.refracted > without.refracted);  // those mirrored inside come out, too
+    CHECK(with.refracted > without.refracted);  // rays reflected inside also leave
     CHECK(image(scene) == pixels);
 }
 

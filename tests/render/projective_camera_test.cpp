@@ -14,7 +14,7 @@ Camera projective(const ProjectiveCamera& camera) {
     return result;
 }
 
-/// Bends and mirrors space; its columns are neither of unit length nor perpendicular.
+/// A map that shears and mirrors space; its columns are neither of unit length nor perpendicular.
 const Affine bent{{-2, 0, 0.5}, {0.25, 1.5, 0}, {0, 0.5, 3}, {1, -2, 4}};
 
 const ProjectiveCamera bent_camera{Projection::perspective, bent, {{-1.5, -1}, {1, 0.5}}, 0.25, 5};
@@ -26,7 +26,7 @@ bool close(const Vec3& a, const Vec3& b, double tolerance = 1e-14) {
     return (a - b).length() <= tolerance * (1 + b.length());
 }
 
-/// The point of the plane z = 1 of camera space that a pixel shows.
+/// Returns the point of the plane z = 1 of camera space that a pixel shows.
 Vec3 on_window(const ProjectiveCamera& c, const Vec2& pixel) {
     const Vec2 part = pixel / Vec2(size);
     return {c.window.min.x + part.x * (c.window.max.x - c.window.min.x),
@@ -56,7 +56,8 @@ TEST_CASE("A perspective camera sees its window in the plane z = 1 of its space"
     }
 }
 
-TEST_CASE("A lens lies in the plane z = 0 and its rays meet at the distance of focus", "[render]") {
+TEST_CASE("A lens lies in the plane z = 0 and its rays converge at the focal distance",
+          "[render]") {
     const CameraRays camera(projective(bent_camera), size);
     CHECK(camera.has_lens());
     const Vec2 pixel(31.5, 77.25);
@@ -144,7 +145,7 @@ TEST_CASE("A pinhole or lens camera by its own space has the same rays", "[rende
     }
 }
 
-TEST_CASE("world_to_ndc takes what any pixel sees to the pixel's place", "[render]") {
+TEST_CASE("world_to_ndc maps a point seen by any pixel to the pixel's position", "[render]") {
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
         ProjectiveCamera c = bent_camera;
         c.projection = projection;

@@ -50,9 +50,9 @@ TEST_CASE("A scene scaled by any power of two from 2^-20 to 2^20 gives the same 
     }
 }
 
-// What is seen is the same to the bit (tests/backends); what it leads to starts from positions that
+// Camera rays hit the same to the bit (tests/backends); secondary rays start from positions that
 // are rounded to 2^-33 of the scene.
-TEST_CASE("A scene moved by 2^20 of its extents gives all but the same picture", "[render]") {
+TEST_CASE("A scene moved by 2^20 of its extents gives nearly the same image", "[render]") {
     const Vec3 far_away(0x1p20, -0x1p20, 0x1p20);
     const TestScene moved = transformed(mixed_scene(), 1, far_away);
     const TestScene scene = transformed(moved, 1, -far_away);
@@ -102,14 +102,14 @@ TEST_CASE("Every part is played by a backend that can", "[render]") {
     CHECK(&chosen_backend(RenderSettings()) == find_backend(default_backend));
 }
 
-TEST_CASE("Another seed gives another picture of the same scene", "[render]") {
+TEST_CASE("Another seed gives another image of the same scene", "[render]") {
     TestScene scene = mixed_scene();
     const std::vector<Color> first = image(scene);
     scene.settings.seed = 1;
     CHECK(image(scene) != first);
 }
 
-TEST_CASE("A stop before the start renders nothing and says so", "[render]") {
+TEST_CASE("A stop before the start renders nothing and is reported", "[render]") {
     const TestScene scene = mixed_scene();
     const std::atomic<bool> stop = true;
     RunControl control;
@@ -167,7 +167,7 @@ TEST_CASE("A corner normal that leans away from the eye does not turn the light 
     CHECK(centre(scene).x == Approx(leaning.dot(Vec3(-0.6, 0, 0.8))));
 }
 
-TEST_CASE("A mirror shows what is behind the eye, as deep as allowed", "[shading]") {
+TEST_CASE("A mirror shows objects behind the camera, up to the maximum path length", "[shading]") {
     TestScene scene = empty_scene();
     Material mirror;
     mirror.reflection = Color(0.5F);
@@ -196,7 +196,7 @@ TEST_CASE("A glass plate in an even environment neither takes nor gives light", 
     scene.whitted().environment.background = Color(1.0F);
     scene.whitted().materials = {glass(1.5)};
     scene.geometry.add(Box{Vec3(-9, -9, -1), Vec3(9, 9, 1)}, 0);
-    const double lost = std::pow(0.04, 11);  // what is still in the plate after 12 rays
+    const double lost = std::pow(0.04, 11);  // light still in the plate after 12 rays
     CHECK(centre(scene, 12).x == Approx(1).margin(lost + 1e-6));
     CHECK(centre(scene, 2).x == Approx(0.04));  // reflected at the front; the rest is cut off
 }

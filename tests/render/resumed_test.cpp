@@ -1,4 +1,4 @@
-// Images whose rendering was stopped, and went on from the state that was kept.
+// Renderings that were stopped and resumed from a saved state.
 #include <atomic>
 
 #include "core/integrators/integrators.h"
@@ -11,7 +11,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Keeps a state in memory each time it has been asked so many times whether to.
+/// Saves a state in memory at every n-th opportunity.
 class MemoryKeeper : public StateKeeper {
   public:
     explicit MemoryKeeper(int every) : every_(every) {}
@@ -46,7 +46,7 @@ Rendering rendered(const TestScene& scene, const RenderSettings& settings,
     return render_with(scene, *find_backend(default_backend), settings, control);
 }
 
-/// Stops a rendering each time a state was kept, and goes on from it in a new one.
+/// Stops a rendering after each saved state, and resumes it in a new one.
 Rendering rendered_in_parts(const TestScene& scene, const RenderSettings& settings, int every) {
     std::string state;
     while (true) {
@@ -76,7 +76,7 @@ void check_same(const Rendering& a, const Rendering& b) {
     CHECK(a.expected_error == b.expected_error);
 }
 
-/// What decides how samples are taken and summed up.
+/// Settings that determine how samples are taken and summed.
 std::vector<RenderSettings> variants(const TestScene& scene) {
     RenderSettings uniform = scene.settings;
     uniform.samples_per_pixel = 13;
@@ -119,7 +119,7 @@ TEST_CASE("Keeping states changes nothing", "[resumed]") {
     }
 }
 
-TEST_CASE("A state that does not fit the image is told, and leaves no image", "[resumed]") {
+TEST_CASE("A state that does not match the image is an error, and leaves no image", "[resumed]") {
     const TestScene scene = mixed_scene(70, 50);
     MemoryKeeper keeper(200);
     RunControl control;

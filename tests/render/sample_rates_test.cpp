@@ -12,7 +12,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// A floor lit by a ball of that radiance, which is in view, on 40 x 30 pixels.
+/// A floor lit by a visible ball of that radiance, at 40 x 30 pixels.
 TestScene lit_floor(int samples, double radiance, const std::string& filter = "gaussian") {
     TestScene scene = pbrt_scene(
         "AttributeBegin AreaLightSource \"diffuse\" \"color L\" [" + std::to_string(radiance) +
@@ -31,7 +31,7 @@ std::vector<Color> with_seed(TestScene scene, std::uint64_t seed) {
     return image(scene);
 }
 
-/// How many pixels of a rendering have more samples than others.
+/// Returns the number of pixels with more samples than others.
 std::ptrdiff_t preferred(const Rendering& rendering) {
     const auto& counts = rendering.film.counts();
     const std::uint32_t least = *std::ranges::min_element(counts);

@@ -1,4 +1,4 @@
-// Images that end by their error or by the clock.
+// Renderings that end at a target error or a time limit.
 #include <algorithm>
 #include <atomic>
 #include <mutex>
@@ -60,7 +60,7 @@ double set_time = 0;
 
 }  // namespace
 
-TEST_CASE("A picture ends near the error asked for, with fewer samples than all pixels need",
+TEST_CASE("An image ends near the target error, with fewer samples than uniform sampling",
           "[passes]") {
     for (const double error : {3e-3, 1e-3}) {
         const Rendering r = rendered(scene(), up_to_error(scene(), error));
@@ -75,7 +75,7 @@ TEST_CASE("A picture ends near the error asked for, with fewer samples than all 
     }
 }
 
-TEST_CASE("An adaptive picture has the same mean as a uniform one", "[passes]") {
+TEST_CASE("An adaptive image has the same mean as a uniform one", "[passes]") {
     Vec3 adaptive(0), uniform(0);
     constexpr int seeds = 16;
     for (std::uint32_t seed = 0; seed < seeds; ++seed) {
@@ -90,7 +90,7 @@ TEST_CASE("An adaptive picture has the same mean as a uniform one", "[passes]") 
     }
 }
 
-TEST_CASE("An adaptive picture is the same for every backend and number of threads", "[passes]") {
+TEST_CASE("An adaptive image is the same for every backend and number of threads", "[passes]") {
     const RenderSettings settings = up_to_error(scene(), 5e-3);
     const Rendering reference = rendered(scene(), settings);
     for (const char* backend : {"grid", "embree", "embree-user"}) {
@@ -113,7 +113,7 @@ TEST_CASE("No pixel has more samples than allowed, nor a sixty-fourth of another
     CHECK(*r.expected_error > 1e-12);
 }
 
-TEST_CASE("One pixel, and one sample at most, are pictures too", "[passes]") {
+TEST_CASE("Images of one pixel, and of one sample at most, are valid", "[passes]") {
     const TestScene small = mixed_scene(1, 1);
     const Rendering r = rendered(small, up_to_error(small, 1e-4));
     CHECK(r.complete);
@@ -125,7 +125,7 @@ TEST_CASE("One pixel, and one sample at most, are pictures too", "[passes]") {
     CHECK_FALSE(unknown.expected_error.has_value());
 }
 
-TEST_CASE("Every pass of a picture is shown, whole", "[passes]") {
+TEST_CASE("Every pass of an image is shown completely", "[passes]") {
     const RenderSettings settings = samples(scene(), 6);
     std::vector<std::uint32_t> counts;
     RunControl control;
@@ -141,7 +141,7 @@ TEST_CASE("Every pass of a picture is shown, whole", "[passes]") {
     CHECK(counts == std::vector<std::uint32_t>{1, 2, 4, 6});
 }
 
-TEST_CASE("Every tile is told with its samples, from the thread that has them", "[passes]") {
+TEST_CASE("Every tile is reported with its samples, from the thread that has them", "[passes]") {
     const RenderSettings settings = samples(scene(), 4);
     std::mutex mutex;
     std::vector<Color> colors(scene().settings.resolution.x * scene().settings.resolution.y);
@@ -162,13 +162,13 @@ TEST_CASE("Every tile is told with its samples, from the thread that has them", 
     CHECK(colors == r.film.pixels());
 }
 
-TEST_CASE("A picture is over when its time is", "[passes]") {
+TEST_CASE("An image ends at its time limit", "[passes]") {
     clock_reads = 0;
     const RenderSettings settings = samples(scene(), 1 << 20);
     RunControl control;
     control.deadline = Deadline(2000, second_per_read);
     const Rendering r = rendered(scene(), settings, control);
-    CHECK(r.samples >= 4);  // the clock is read some 500 times a pass
+    CHECK(r.samples >= 4);  // the clock is read about 500 times per pass
     CHECK(r.samples < 2000);
     CHECK_FALSE(r.complete);
 }
@@ -217,11 +217,37 @@ TEST_CASE("The last pass before a deadline is as large as there is time for", "[
     };
     CHECK(next_at(0) == 1);
     CHECK(next_at(1) == 2);
-    CHECK(next_at(4) == 4);  // five could be had
+    CHECK(next_at(4) == 4);  // the time suffices for five
     CHECK(next_at(8) == 5);  // 4 took 8 seconds of 10
     CHECK(next_at(9.5) == 0);
     const Deadline never;
     UniformPasses all(5, 1, never);
     for (const std::uint32_t goal : {1U, 2U, 4U, 5U}) CHECK(all.next(film)->all == goal);
     CHECK_FALSE(all.next(film).has_value());
+}
+
+TEST_CASE("Passes of few samples are made larger, but for the first", "[passes]") {
+    const Film film({{0, 0}, {0, 0}});
+    const Deadline never;
+    const auto goals = [&](std::uint32_t samples, std::size_t pixels, SampleRates rates = {}) {
+        UniformPasses passes(samples, pixels, never, std::move(rates), 1000);
+        std::vector<std::uint32_t> list;
+        while (const std::optional<SamplingGoal> goal = passes.next(film)) {
+            list.push_back(goal->all);
+        }
+        return list;
+    };
+    CHECK(goals(64, 1000) == std::vector<std::uint32_t>{1, 2, 4, 8, 16, 32, 64});
+    CHECK(goals(64, 200) == std::vector<std::uint32_t>{1, 6, 12, 24, 48, 64});
+    CHECK(goals(64, 10) == std::vector<std::uint32_t>{1, 64});
+    CHECK(goals(1, 10) == std::vector<std::uint32_t>{1});
+    CHECK(goals(64, 100, SampleRates(100, 2)) == std::vector<std::uint32_t>{1, 6, 12, 24, 48, 64});
+}
+
+TEST_CASE("Pixels do not depend on how many passes there are", "[passes]") {
+    const RenderSettings settings = samples(scene(), 7);
+    RunControl watched;
+    watched.observers = {{.after_pass = [](const RenderedPass&) {}}};
+    CHECK(rendered(scene(), settings, {}).film.pixels() ==
+          rendered(scene(), settings, watched).film.pixels());
 }

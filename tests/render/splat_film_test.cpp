@@ -7,7 +7,7 @@ using namespace etalon;
 
 namespace {
 
-/// Samples of every pixel of a window at places by chance.
+/// Samples of every pixel of a window at random positions.
 struct Samples {
     std::vector<Imath::V2i> pixels;
     std::vector<Vec2> places;
@@ -51,8 +51,8 @@ struct Films {
     }
 };
 
-/// The weighted mean of all samples within the radius of a pixel's centre, each divided by the
-/// number of those of its pixel.
+/// Returns the weighted mean of all samples within the radius around a pixel's centre, each divided
+/// by the number of samples of its own pixel.
 Vec3 mean_by_definition(const Samples& all, const Film& film, const PixelFilter& filter,
                         const Imath::V2i& pixel) {
     const FilterAxis across(filter, 0), down(filter, 1);
@@ -113,7 +113,7 @@ TEST_CASE("Pixels of many samples count no more than those of few", "[film]") {
     CHECK((means[0] - expected).length() < 1e-12);
 }
 
-TEST_CASE("An image of one colour stays that whatever the filter", "[film]") {
+TEST_CASE("An image of one colour is unchanged by every filter", "[film]") {
     for (const PixelFilter& filter : filters) {
         CAPTURE(static_cast<int>(filter.kind), filter.radius);
         const Imath::Box2i window = sampled_window(image, filter);

@@ -1,4 +1,4 @@
-// Light that is scattered below surfaces.
+// Subsurface scattering.
 #include <fmt/format.h>
 
 #include "tests/catch.h"
@@ -33,15 +33,15 @@ const std::string wax =
 const std::string other_wax =
     "Material \"kdsubsurface\" \"rgb Kd\" [.8 .5 .3] \"rgb mfp\" [.1 .2 .1] \"rgb Kr\" [0 0 0]\n";
 
-/// Paths of at most so many vertices that scatter.
+/// Limits paths to so many scattering vertices.
 std::string depth(int vertices) {
     return "Integrator \"path\" \"integer maxdepth\" " + std::to_string(vertices);
 }
 
 }  // namespace
 
-TEST_CASE("A body under light from everywhere has the colour that is asked for", "[subsurface]") {
-    const float reflected = 0.02006F;  // at a border of the index 1.33
+TEST_CASE("A body under uniform light has the requested colour", "[subsurface]") {
+    const float reflected = 0.02006F;  // at an interface of relative index 1.33
     const Color wanted(0.8F, 0.5F, 0.2F);
     const Color seen = mean_of(pbrt_scene(everywhere + wax + square(0, true)));
     const Color disney = mean_of(pbrt_scene(
@@ -62,16 +62,16 @@ TEST_CASE("Light comes through to surfaces of the same material", "[subsurface]"
     CHECK(through.y > 0.01F);
     CHECK(through.y > through.z);
     CHECK(mean_of(pbrt_scene(front + other_wax + square(0.1, false))) == Color(0.0F));
-    // What is in between hides nothing below a surface, and counts for nothing.
+    // Surfaces of other materials in between have no effect on probes.
     const Color past = mean_of(pbrt_scene(front + square(0.1, false) + "Material \"matte\"\n" +
                                           square(0.03, true) + square(0.05, false)));
     CHECK(past.y == Approx(through.y).epsilon(0.02));
-    // Not through what is thicker than probes are long.
+    // No light passes through objects thicker than the probes' length.
     CHECK(mean_of(pbrt_scene(front + square(30, false))) == Color(0.0F));
 }
 
 TEST_CASE("Every surface on a probe may be the one where light comes in", "[subsurface]") {
-    // Squares at places that hardly differ, of which light meets the first only.
+    // Nearly coincident squares, of which light reaches only the first.
     const std::string one = everywhere + wax + square(0, true), once = depth(1);
     const Color alone = mean_of(pbrt_scene(one, once));
     const Color three = mean_of(pbrt_scene(one + square(1e-4, true) + square(2e-4, true), once));

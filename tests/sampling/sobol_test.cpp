@@ -40,7 +40,8 @@ TEST_CASE("Scrambled Sobol' points are a (0,2)-sequence", "[sampling]") {
 }
 
 TEST_CASE("A point is the same on every machine, to the last of its 32 bits", "[sampling]") {
-    // Worked out apart from this code, bit by bit and with Pascal's triangle, by the same papers.
+    // Computed independently of this code, bit by bit and with Pascal's triangle, from the same
+    // papers.
     CHECK(0x1p32 * ScrambledSobol(1)(7) == Vec2(1389075229, 540007389));
     CHECK(0x1p32 * ScrambledSobol(0)(0) == Vec2(995850218, 1851027888));
     CHECK(0x1p32 * ScrambledSobol(12345)(4294967295U) == Vec2(815730508, 488644200));

@@ -1,4 +1,4 @@
-// Maps that change with time.
+// Animated transforms.
 #include "core/scene/animated_transform.h"
 
 #include "core/numerics/random.h"
@@ -61,7 +61,8 @@ TEST_CASE("AnimatedTransform: given a rotation, then it turns at constant speed"
         const AnimatedTransform motion(rotation(10, axis), rotation(10 + degrees, axis), {});
         for (double part = 0.125; part < 1; part += 0.125) {
             CAPTURE(degrees, part);
-            // Below 4 degrees the chord's middle part is passed faster, as in pbrt-v3.
+            // Below 4 degrees rotation is interpolated along the chord, which is faster in the
+            // middle, as in pbrt-v3.
             const double tolerance = degrees < 4 ? 1e-6 : 1e-14;
             CHECK(difference(motion.at_part(part), rotation(10 + part * degrees, axis)) <
                   tolerance);
@@ -69,12 +70,12 @@ TEST_CASE("AnimatedTransform: given a rotation, then it turns at constant speed"
     }
 }
 
-TEST_CASE("AnimatedTransform: given more than half a turn, then it turns the shorter way") {
+TEST_CASE("AnimatedTransform: given more than half a turn, then it rotates the shorter way") {
     const AnimatedTransform motion(Affine{}, rotation(300, {0, 0, 1}), {});
     CHECK(difference(motion.at_part(0.5), rotation(-30, {0, 0, 1})) < 1e-14);
 }
 
-TEST_CASE("AnimatedTransform: given maps that mirror, then it mirrors on the whole way") {
+TEST_CASE("AnimatedTransform: given maps that mirror, then it mirrors at all times") {
     const Affine mirror = scaling({-1, 1, 1});
     const AnimatedTransform motion(mirror, rotation(80, {0, 0, 1}) * mirror, {});
     for (double part = 0; part <= 1; part += 0.125) {

@@ -49,7 +49,7 @@ const std::array star = {Vec3(third, 0, 1), Vec3(2, 1, 1),  Vec3(4, 2, 1),
                          Vec3(2, 3, 1),     Vec3(0, 4, 1),  Vec3(-2, 3, 1),
                          Vec3(-4, 2, 1),    Vec3(-2, 1, 1), Vec3(0, -1, 1)};
 
-/// Polygons of few and of many corners, the last of them smooth.
+/// Polygons with few and with many corners, the last of them with vertex normals.
 Geometry polygons() {
     Geometry g;
     g.add(Polygon{many_digits}, 0);
@@ -58,7 +58,7 @@ Geometry polygons() {
     return g;
 }
 
-/// Checks that what is kept of every polygon is what its corners as they are now give.
+/// Checks that the derived data of every polygon match its current corners.
 void check_kept(const Geometry& g) {
     for (const StoredPolygon& p : g.all<Polygon>()) {
         const PolygonFacts expected(p.corners);
@@ -93,7 +93,7 @@ TEST_CASE("TriangleList: given numbers near and far from each other, then all ar
 
 TEST_CASE("Geometry: given corners of few and of many digits, then all are kept to the bit") {
     const Geometry g = mixture();
-    CHECK(g.decimal_vertices.size() == 4);  // one of the corners of many digits has few
+    CHECK(g.decimal_vertices.size() == 4);  // one of the vertices has few digits
     CHECK(corners(g, 0) == few_digits);
     CHECK(corners(g, 1) == few_digits);
     CHECK(corners(g, 2) == many_digits);
@@ -104,7 +104,7 @@ TEST_CASE("Geometry: given corners of few and of many digits, then all are kept 
     }
 }
 
-TEST_CASE("Geometry: given another one appended, then its shapes are what they were") {
+TEST_CASE("Geometry: given another one appended, then its shapes are unchanged") {
     Geometry g = mixture();
     append(g, mixture());
     REQUIRE(g.primitives.size() == 12);
@@ -160,7 +160,7 @@ TEST_CASE("Polygon: given others appended, then each has its own corners, normal
     CHECK(g.all<Polygon>()[7].corners[0] == star[0] + Vec3(7));
 }
 
-TEST_CASE("Polygon: given that it is moved or made larger, then what is kept of it follows") {
+TEST_CASE("Polygon: given that it is moved or enlarged, then its derived data follow") {
     const Vec3 offset(0.1, third, -5);
     Scene scene;
     scene.geometry = polygons();

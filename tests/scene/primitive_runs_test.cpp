@@ -12,7 +12,7 @@ bool same(const Primitive& a, const Primitive& b) {
            a.material == b.material && a.normal_offset == b.normal_offset;
 }
 
-/// Primitives whose statements are of any length from 1 to `longest`.
+/// Primitives in runs of random lengths from 1 to `longest`.
 std::vector<Primitive> statements(std::size_t longest, std::uint64_t seed) {
     Random random(seed, 0);
     std::vector<Primitive> all;

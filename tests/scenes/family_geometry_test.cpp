@@ -44,7 +44,7 @@ bool inside(const Vec2& p, const std::vector<Vec2>& polygon) {
     return odd;
 }
 
-/// Number of uses of each edge of the scene's triangles.
+/// Counts the triangles at each edge of the scene.
 std::map<std::pair<Key, Key>, int> edge_uses(const Scene& scene) {
     std::map<std::pair<Key, Key>, int> uses;
     for (const TriangleIndices t : scene.geometry.all<Triangle>()) {
@@ -97,7 +97,8 @@ TEST_CASE("A mountain has no cracks, and a larger one refines it", "[scenes]") {
 
 TEST_CASE("The parts of a tetrahedron are closed", "[scenes]") {
     const Scene scene = family_scene("tetra", 2);
-    // Neighbours meet in corners only, so every edge belongs to one part, and to two of its faces.
+    // Adjacent parts share vertices only, so every edge belongs to one part, and to two of its
+    // faces.
     const auto edges = edge_uses(scene);
     CHECK(edges.size() == 16 * 6);
     CHECK(std::ranges::all_of(edges, [](const auto& edge) { return edge.second == 2; }));

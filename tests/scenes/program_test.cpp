@@ -43,7 +43,7 @@ TEST_CASE("etalon-scenes writes through symbolic links, also to nothing yet", "[
           folder.shell("printf '.:\nlink\nthere\n\nthere:\nfile\nlink\n'").out);
 }
 
-TEST_CASE("etalon-scenes ends with 2 on wrong usage and says what is right", "[scenes]") {
+TEST_CASE("etalon-scenes exits with 2 on wrong usage and prints what is valid", "[scenes]") {
     const Folder folder;
     const auto unknown = generate(folder, "teapot");
     CHECK(unknown.status == 2);
@@ -79,7 +79,7 @@ TEST_CASE("etalon-scenes ends with 4 where it cannot write, and leaves nothing b
 }
 
 TEST_CASE("A family's text is the same on every machine", "[scenes]") {
-    // Whoever changes a family on purpose changes its line here.
+    // An intended change of a family needs a new line here.
     const auto [family, size, expected] = GENERATE(table<std::string, std::int64_t, std::uint64_t>({
         {"sphereflake", 3, 0xEC1EAF4134248EC4},
         {"tetra", 4, 0x4C3B52ECABAE6B19},

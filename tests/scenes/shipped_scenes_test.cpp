@@ -63,7 +63,7 @@ TEST_CASE("Every shipped scene loads strictly, without a diagnostic", "[scenes]"
     CHECK(count >= 24);
 }
 
-TEST_CASE("The showcase uses every word of P3F", "[scenes]") {
+TEST_CASE("The showcase uses every statement of P3F", "[scenes]") {
     const auto words = keywords(folder + "/showcase.p3f");
     for (const char* word : {"accel", "spp", "bclr", "env", "camera", "light punctual",
                              "light quad", "mat", "s", "box", "pl", "p", "pp", "mesh", "c"}) {
@@ -72,7 +72,7 @@ TEST_CASE("The showcase uses every word of P3F", "[scenes]") {
     }
 }
 
-TEST_CASE("The showcase uses what the words of P3F can mean", "[scenes]") {
+TEST_CASE("The showcase uses all variants of P3F's statements", "[scenes]") {
     const auto result = load_scene(folder + "/showcase.p3f");
     REQUIRE(result.scene.has_value());
     const Scene& scene = *result.scene;

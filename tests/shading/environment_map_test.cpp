@@ -1,4 +1,4 @@
-// When the images of a skybox are read, and what becomes of bad ones.
+// Lazy reading of a skybox's images, and the treatment of damaged ones.
 #include "core/shading/environment_map.h"
 
 #include "core/image/io.h"
@@ -21,7 +21,7 @@ Color color_of(std::size_t face) {
     return Color(static_cast<float>(face) + 1);
 }
 
-/// A skybox of large faces, each of one colour.
+/// Returns a skybox of large faces, each of one colour.
 Environment skybox_in(const TemporaryFolder& folder, const std::string& extension) {
     Environment environment{background, Skybox{}};
     for (std::size_t k = 0; k < towards.size(); ++k) {
@@ -42,7 +42,7 @@ void cut(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("a face is read when a ray first meets it") {
+TEST_CASE("a face is read when a ray first hits it") {
     const TemporaryFolder folder;
     const Environment environment = skybox_in(folder, ".exr");
     std::vector<std::string> problems;
@@ -56,7 +56,7 @@ TEST_CASE("a face is read when a ray first meets it") {
     CHECK(map.late_problems().size() == 1);
 }
 
-TEST_CASE("threads that meet a face at the same time see the same one") {
+TEST_CASE("threads that hit a face at the same time use the same image") {
     const TemporaryFolder folder;
     const Environment environment = skybox_in(folder, ".exr");
     for (int i = 0; i < 20; ++i) {

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double shininesses[] = {-1, 0, 1e-3, 0.5, 1, 2, 5, 30.1, 100, 200, 1000, 1e6, 1e300};
 
-/// A surface that sees a light under nearly any angle and, every other one, is where the highlight
-/// of a large exponent is bright.
+/// A surface lit at a random angle; every other one is where the highlight of a large exponent is
+/// bright.
 void add_lit(const Material& m, int i, Random& random, SeenSurfaces& to, Vec3Buffer& lights) {
     SurfaceInteraction at;
     at.surface.position = random.in_cube();

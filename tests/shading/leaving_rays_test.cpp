@@ -36,7 +36,7 @@ Ray leaving_alone(const SurfaceInteraction& at, const Vec3& direction, double bi
                      : Ray{at.surface.position + bias * at.ng, direction};
 }
 
-/// What is written of one surface's rays.
+/// The rays written for one surface.
 Ray mirrored(const LeavingRays& leaving, std::size_t i) {
     RayBuffer one;
     one.make_room(1);
@@ -56,7 +56,7 @@ void check_surface(const LeavingRays& leaving, std::size_t i, const SurfaceInter
     const Material& m = *at.material;
     const bool is_glass = m.transmission != Color(0.0F);
     const bool sends = m.reflection != Color(0.0F) || is_glass;
-    REQUIRE((leaving.senders() >> i & 1) == (sends ? 1 : 0));
+    REQUIRE((leaving.active() >> i & 1) == (sends ? 1 : 0));
     if (!sends) return;
     const Vec3 normal = direction.dot(at.ns) < 0 ? at.ns : at.ng;
     const Vec3 reflected = normalized(reflect(direction, normal));

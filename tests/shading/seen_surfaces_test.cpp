@@ -9,7 +9,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Shapes that are looked at together and one that is not, of two materials.
+/// Shapes with and without a vectorised path, of two materials.
 Scene some_shapes() {
     Scene scene;
     const Material glass{.diffuse = Color(1.0F), .transmission = Color(0.5F)};

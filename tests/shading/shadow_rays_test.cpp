@@ -24,7 +24,7 @@ SurfaceInteraction random_surface(Random& random) {
     return at;
 }
 
-/// Points of a light far off, near the surface's plane, and on the surface.
+/// Points of a light far away, near the surface's plane, and on the surface.
 Vec3 random_light(const SurfaceInteraction& at, int i, Random& random) {
     const Vec3& p = at.surface.position;
     if (i % 8 == 0) return p;

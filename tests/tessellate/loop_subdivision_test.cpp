@@ -36,7 +36,7 @@ const Control octahedron{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1
 const Control tetrahedron{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
                           {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2}};
 
-/// A vertex with `valence` neighbours around it, of unlike heights; they are its mesh's boundary.
+/// Returns a vertex with `valence` neighbours at different heights, which are the mesh's boundary.
 Control wheel(unsigned valence) {
     Control c{{Vec3(0)}, {}};
     for (unsigned k = 0; k < valence; ++k) {

@@ -129,7 +129,7 @@ TEST_CASE("an image of three columns is shown as the four that pbrt-v3 makes of 
     const TemporaryFolder folder;
     const TextureImage image{folder / "three.png", Wrap::repeat, false, 2};
     write_png(image.file, 3, 1, {{51, 0, 0}, {204, 0, 0}, {128, 0, 255}});
-    // Lanczos' window of four texels, calculated apart from the program.
+    // Lanczos window of four texels, computed independently of the program.
     const Color left = color_at(image, 0.125, 0.5), right = color_at(image, 0.625, 0.5);
     CHECK(std::abs(left.x - 2 * 0.1913855) < 1e-3);
     CHECK(std::abs(right.x - 2 * 0.7550041) < 1e-3);

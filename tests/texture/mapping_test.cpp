@@ -13,7 +13,7 @@ void check_coordinates(const Mapping& mapping, const TexturePoint& point, const 
     CHECK(std::abs(st.y - expected.y) < 1e-12);
 }
 
-/// Takes the point (1, 2, 3) to the origin and turns the axes x, y, z to y, z, x.
+/// Maps the point (1, 2, 3) to the origin and permutes the axes x, y, z to y, z, x.
 const Affine turned{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {-3, -1, -2}};
 
 }  // namespace

@@ -7,7 +7,7 @@ using namespace etalon;
 
 namespace {
 
-/// The largest error of a channel of a byte that is packed, in steps of bytes.
+/// Returns the largest error of a channel of a packed 8-bit colour, in steps of 1/255.
 double largest_error(const std::array<float, 256>& bytes, int channel) {
     double largest = 0;
     for (std::size_t i = 1; i < 256; ++i) {

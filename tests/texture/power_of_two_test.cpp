@@ -34,7 +34,7 @@ TexelGrid stretched(const TexelGrid& image, Wrap wrap) {
     return result;
 }
 
-/// A row of texels made longer.
+/// Returns a resampled row of texels.
 std::vector<float> stretched(const std::vector<float>& row, Wrap wrap) {
     return stretched(TexelGrid{static_cast<int>(row.size()), 1, 1, row}, wrap).values;
 }
@@ -49,7 +49,7 @@ void check_near(const std::vector<float>& found, const std::vector<double>& expe
 
 }  // namespace
 
-// The numbers are those of the formulas in the book, worked out by another program.
+// The numbers were computed from the formulas of the book by another program.
 TEST_CASE("a row of three texels becomes one of four, by what is beyond its ends", "[texture]") {
     const std::vector<float> row = {0.2F, 0.8F, 0.5F};
     check_near(stretched(row, Wrap::repeat),

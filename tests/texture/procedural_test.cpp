@@ -60,7 +60,7 @@ const std::array<PbrtValues, 6> pbrt_values = {{
      {0.8699846F, 0.8699846F, 0.8999809F}},
 }};
 
-/// True if dots are at u = -2.99 + i / 8 and v = -0.98 + j / 4 in column i of row j.
+/// Whether there is a dot at u = -2.99 + i / 8 and v = -0.98 + j / 4, in column i of row j.
 constexpr std::array<std::string_view, 16> pbrt_dots = {
     "..............#####..........######...#####.....",
     "...............###.............###....#####.....",

@@ -12,7 +12,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Files of one colour in a folder, and textures that show them.
+/// Files of one colour in a folder, and textures that use them.
 struct Files {
     TemporaryFolder folder;
     Textures textures;
@@ -32,7 +32,7 @@ struct Files {
     void show_numbers() { textures.numbers.emplace_back(ImageTexture<float>{UvMapping{}, last()}); }
 };
 
-/// Bytes that are allocated by all threads.
+/// Returns the bytes allocated by all threads.
 std::size_t heap_bytes() {
     const auto info = ::mallinfo2();
     return info.uordblks + info.hblkhd;

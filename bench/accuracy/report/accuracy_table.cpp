@@ -45,7 +45,7 @@ std::string cost(const Row& row) {
 
 using Cell = std::string (*)(const Row& row);
 
-/// A cell with a value only for rows whose criterion looks at it.
+/// Restricts a cell to rows of one criterion; others have no value.
 std::function<std::string(const Row& row)> only(const char* criterion, Cell cell) {
     return
         [criterion, cell](const Row& row) { return row.criterion == criterion ? cell(row) : "-"; };

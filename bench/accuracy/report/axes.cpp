@@ -7,8 +7,8 @@ namespace etalon::accuracy {
 
 using plot::Tick;
 
-/// A margin of a twelfth keeps marks off the axes. There is at least a factor of two in cost to
-/// see, and of ten in error.
+/// A margin of a twelfth keeps marks away from the axes. The axes span at least a factor of two in
+/// cost and of ten in error.
 Axes::Axes(const Scatter& scatter, const plot::PlotArea& plot_area)
     : plot_area_(plot_area), is_relative_(!scatter.unit.empty()) {
     const auto [cheapest, dearest] =

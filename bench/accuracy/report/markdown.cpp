@@ -12,7 +12,7 @@
 namespace etalon::accuracy {
 namespace {
 
-/// A column's text for a case; empty where there is nothing to say.
+/// A column: its name and its text for a case, empty if it has no value.
 struct Column {
     std::string name;
     std::string (*cell)(const CaseRows& c);
@@ -28,7 +28,7 @@ std::string rays(const CaseRows& c) {
     return brief_count(c.rows.front()->stats.rays);
 }
 
-/// "0 in 4 backends", or what each found where they differ, which they must not.
+/// Returns "0 in 4 backends", or the errors of each if they differ, which would be a defect.
 std::string exact_errors(const CaseRows& c) {
     std::set<std::uint64_t> errors;
     std::string each;
@@ -47,7 +47,7 @@ std::string undecidable(const CaseRows& c) {
     return brief_count(c.rows.front()->stats.undecidable);
 }
 
-/// Returns the errors of the kernel by itself or, where it was not asked, of an exact backend.
+/// Returns the errors of the kernel alone or, if it was not measured, of an exact backend.
 std::string kernel_ulps(const CaseRows& c) {
     const Row* row = c.find(bare_kernel);
     for (const Row* other : c.rows) {

@@ -7,7 +7,7 @@
 namespace etalon::accuracy {
 namespace {
 
-/// "4.6e+04" without what tells nothing: "4.6e4".
+/// Shortens an exponent: "4.6e+04" becomes "4.6e4".
 std::string scientific(double value, int decimals) {
     const std::string text = fmt::format("{:.{}e}", value, decimals);
     const auto e = text.find('e');

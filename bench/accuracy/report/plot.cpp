@@ -57,7 +57,7 @@ void draw_titles(Svg& svg, std::string shape, const Scatter& scatter) {
     svg.text({large.right, large.bottom + 54}, Anchor::end, cost_axis(scatter), "small");
 }
 
-/// The kinds that are there, in a row below the axis.
+/// Draws the kinds of tracers that occur, in a row below the axis.
 void draw_key(Svg& svg, const Scatter& scatter) {
     double x = margin;
     for (const Kind kind : {exact, textbook, other}) {
@@ -70,7 +70,7 @@ void draw_key(Svg& svg, const Scatter& scatter) {
     }
 }
 
-/// The remarks, each from a new line on, wrapped at words.
+/// Returns the lines of the remarks, each on a new line, wrapped at words.
 std::vector<std::string> lines_of(const std::vector<std::string>& remarks) {
     std::vector<std::string> lines;
     for (const std::string& remark : remarks) {
@@ -89,7 +89,7 @@ void draw_ticks(Svg& svg, const Axes& axes) {
     double below = plot_area.bottom + 12;
     for (const Tick& tick : axes.error_ticks()) {
         const double y = axes.place(1, tick.value).y;
-        if (below - y < 12) continue;  // two texts would be one
+        if (below - y < 12) continue;  // the two labels would touch
         below = y;
         svg.line({plot_area.left, y}, {plot_area.right, y}, "grid");
         svg.text({plot_area.left - 8, y + 4}, Anchor::end, tick.text, "small");
@@ -102,7 +102,8 @@ void draw_ticks(Svg& svg, const Axes& axes) {
     }
 }
 
-/// The edge of what is dominated: level from each point to the cost at which there is a better one.
+/// Returns the Pareto frontier: horizontal from each point to the cost at which there is a better
+/// one.
 std::vector<Place> frontier(const Scatter& scatter, const Axes& axes) {
     std::vector<Place> corners;
     for (const Point& p : scatter.points) {
@@ -114,7 +115,7 @@ std::vector<Place> frontier(const Scatter& scatter, const Axes& axes) {
     return corners;
 }
 
-/// Places so close along the frontier that no label fits between.
+/// Returns points along the frontier that are so close together that no label fits between them.
 std::vector<Place> along(const std::vector<Place>& corners) {
     std::vector<Place> places;
     for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -137,7 +138,7 @@ void draw_points(Svg& svg, const Scatter& scatter, const Axes& axes) {
     }
 }
 
-/// Adds the area that a mark covers, as places so close that no label fits between them.
+/// Adds the area that a mark covers, as points so close together that no label fits between them.
 void add_mark(Place at, std::vector<Place>& places) {
     for (const double x : {-5.0, 0.0, 5.0}) {
         for (const double y : {-5.0, 0.0, 5.0}) places.push_back({at.x + x, at.y + y});
@@ -182,7 +183,7 @@ PlotTexts texts_of(const Scatter& scatter, const std::string& shape) {
     return {shape + ": error against cost", cost_axis(scatter), std::string(error_axis)};
 }
 
-/// The same as the image, in words.
+/// Returns the content of the image as text.
 std::string description_of(const Scatter& scatter, const PlotTexts& texts) {
     std::string text = texts.cost + "; " + texts.error + ".";
     for (const Point& p : scatter.points) {

@@ -25,7 +25,7 @@ std::string unit_of(const std::vector<CaseRows>& cases) {
     return {};
 }
 
-/// 0 if the case has no cost in this unit.
+/// Returns the cost, or 0 if the case has no cost in this unit.
 double cost_of(const Row& row, const CaseRows& c, const std::string& unit) {
     if (unit.empty()) return row.nanoseconds;
     if (unit != baseline) return row.cost;

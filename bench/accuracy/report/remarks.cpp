@@ -10,11 +10,11 @@
 namespace etalon::accuracy {
 namespace {
 
-/// Errors of t, in ulp of a float, that need no explanation.
+/// Largest error of t, in ulp of a float, that needs no remark.
 constexpr double usual_error = 1;
 
-/// Largest error, in units of what one roundoff in each input does to t, that an algorithm has
-/// whose rounding is no worse than that of its input.
+/// Largest error of t of a backward stable algorithm, relative to the change of t by one roundoff
+/// in each input.
 constexpr double usual_condition = 4;
 
 void add_partial(const std::vector<CaseRows>& measured, std::size_t cases,
@@ -28,7 +28,7 @@ void add_partial(const std::vector<CaseRows>& measured, std::size_t cases,
                     measured.size(), cases, cut));
 }
 
-/// Returns the case in which an exact tracer's t is furthest off.
+/// Returns the case in which an exact tracer's error of t is largest.
 const Row* worst_exact(const std::vector<CaseRows>& cases) {
     const Row* worst = nullptr;
     for (const CaseRows& c : cases) {

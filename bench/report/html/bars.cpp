@@ -1,5 +1,5 @@
-// Bars as rows of a table: their names and numbers are text of the page's own size, on a phone too,
-// and only the lengths are SVG, which is stretched to whatever room there is, and printed.
+// Bar charts as tables: names and numbers are ordinary text, also on small screens, and only the
+// bars are SVG, which is stretched to the available width and can be printed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using plot::escaped;
 
-constexpr double length = 1000;  ///< of the longest bar, in the SVG's units
+constexpr double length = 1000;  ///< length of the longest bar, in units of the SVG
 
 double longest(const BarGroup& group) {
     double most = 0;
@@ -35,7 +35,7 @@ std::string rod(const Bar& bar, double scale) {
         bar.colour, scale * bar.value, spread_of(bar, scale));
 }
 
-/// The name stands in the column's head, and where there is no room for columns in the cell.
+/// The name is in the column's header, and also in the cell, for screens too narrow for columns.
 std::string cell(const char* classes, const std::string& name, const std::string& text) {
     return fmt::format("<td class=\"{}\" data-name=\"{}\">{}</td>", classes, escaped(name),
                        escaped(text));

@@ -11,7 +11,7 @@ namespace {
 
 using plot::escaped;
 
-/// The policy has browsers refuse whatever would come from elsewhere.
+/// The content security policy makes browsers refuse resources of other origins.
 std::string head(const Page& page) {
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -56,7 +56,7 @@ std::string header(const Page& page) {
     return text + summary(page) + contents(page) + "</header>\n";
 }
 
-/// A line breaks between its words only, as far as they are no longer than a line.
+/// Breaks a line only between words, except for words longer than a line.
 std::string words_of(const std::string& command) {
     std::string text;
     for (std::size_t at = 0; at < command.size();) {

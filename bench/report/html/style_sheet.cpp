@@ -7,8 +7,9 @@ namespace {
 
 namespace rules {
 
-/// The colours that tell things apart are Okabe & Ito's, darker on white and lighter on black, as
-/// they have to be read as text. Light, and dark where a screen asks for it; paper is always light.
+/// The colours of tracers are those of Okabe & Ito, darker on white and lighter on black, since
+/// they are also used for text. The page is light, or dark if the screen prefers it; prints are
+/// always light.
 constexpr std::string_view palette = R"(
 :root{color-scheme:light dark;
 --paper:#fff;--card:#f6f7f9;--ink:#1c232b;--quiet:#57626d;--rule:#dfe3e8;--edge:#aebac7;
@@ -41,7 +42,7 @@ small,.quiet,figcaption,time{color:var(--quiet)}
 section{margin-top:3rem;padding-top:1.6rem;border-top:1px solid var(--rule)}
 )";
 
-/// What is wrong with the page, its key figures and its contents.
+/// Warnings about the report, its key figures and its contents.
 constexpr std::string_view first_screen = R"(
 .missing{background:var(--warn);border-left:4px solid var(--colour-5);padding:.5rem .8rem;
 max-width:none}
@@ -55,7 +56,7 @@ nav ul{display:flex;flex-wrap:wrap;gap:.2rem 1.2rem;list-style:none;margin:0;pad
 nav a{display:inline-block;padding:.25rem 0}
 )";
 
-/// Figures and what stands below them.
+/// Figures and their captions.
 constexpr std::string_view figures = R"(
 figure{margin:1.8rem 0 2.4rem}
 figure.folded{margin:0 0 .4rem}
@@ -69,7 +70,7 @@ overflow-wrap:anywhere}
 time{white-space:nowrap;margin-right:.6em}
 )";
 
-/// Tables, which scroll in themselves where they are wider than the page.
+/// Tables, which scroll horizontally if they are wider than the page.
 constexpr std::string_view tables = R"(
 .scroll{overflow-x:auto;border:1px solid var(--rule);border-radius:.4rem}
 table{border-collapse:collapse;font-size:.86rem;line-height:1.4}
@@ -89,7 +90,7 @@ td:not(.number):not(.name){min-width:8rem}
 summary{cursor:pointer;padding:.35rem 0;font-weight:600}
 )";
 
-/// Bars as rows of a table; where a group is narrow, their numbers stand above and below them.
+/// Bars as rows of a table; in a narrow group their numbers are above and below them.
 constexpr std::string_view bars = R"(
 .groups{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,32rem),1fr));
 gap:1.4rem 2.4rem}
@@ -135,7 +136,7 @@ gap:1.6rem 2rem}
 img{display:block;width:100%;height:auto;border-radius:.3rem}
 )";
 
-/// The foot of the page, and what else is different on a phone.
+/// The footer, and the rules for small screens.
 constexpr std::string_view phone = R"(
 footer{margin-top:3rem;padding-top:1rem;padding-bottom:3rem;border-top:1px solid var(--rule);
 font-size:.85rem;color:var(--quiet)}

@@ -8,7 +8,7 @@ namespace {
 
 using plot::escaped;
 
-/// A name is kept on one line, a sentence is not.
+/// Keeps names on one line; sentences may wrap.
 bool is_name(const std::string& text) {
     constexpr std::size_t longest = 24;
     return text.size() <= longest;

@@ -7,7 +7,7 @@
 
 namespace etalon::bench_report {
 
-/// Rays are counted by the image: so each pixel is an image of its own.
+/// Renders each pixel as a separate image, since rays are counted per image.
 PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
                            const TaskProgress& task_progress) {
     const auto intersector = find_backend(default_backend)->build(scene.geometry);

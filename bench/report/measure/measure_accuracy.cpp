@@ -35,7 +35,7 @@ accuracy::Budget budget_of(const Settings& settings) {
     return budget;
 }
 
-/// Cases side by side: one with few rays keeps but one core busy. Times are CPU time.
+/// Runs cases in parallel, since a case with few rays uses only one core. Times are CPU times.
 void measure(const Group& group, Results& results, const TaskProgress& task_progress) {
     std::vector<const Backend*> backends;
     for (const std::string& name : results.settings.accuracy_backends) {

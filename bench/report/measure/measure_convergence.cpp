@@ -28,7 +28,7 @@ void measure(const ConvergenceRequest& request, Results& results,
                               {task_progress.stop, task_progress.part(0.5, 1).progress})});
 }
 
-/// The truth is rendered by all threads, the curves by one.
+/// Estimates the time: the reference is rendered by all threads, the curves by one.
 double seconds_for(const ConvergenceRequest& request, const Settings& settings) {
     const auto curves = 3.0 + static_cast<double>(settings.convergence_backends.size() - 1);
     const double samples =

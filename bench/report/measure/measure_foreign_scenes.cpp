@@ -18,11 +18,12 @@ namespace {
 
 using namespace convergence;
 
-/// Relative difference of means up to which images are taken for the same.
+/// Largest relative difference of means of images that count as the same.
 constexpr double mean_limit = 5e-3;
 constexpr double standard_errors = 3;
 
-/// "killeroo/simple": below the table's folder or the one that both are in.
+/// Returns a scene's path relative to the table's folder or to their common folder, such as
+/// "killeroo/simple".
 std::string name_of(const std::string& scene, const std::string& table) {
     namespace fs = std::filesystem;
     const fs::path path = fs::path(scene).lexically_relative(fs::path(table).parent_path());
@@ -33,7 +34,7 @@ std::string name_of(const std::string& scene, const std::string& table) {
     return name.replace_extension().string();
 }
 
-/// Why a scene's image is none that another program's can be compared with; empty if it is one.
+/// Returns why a scene's image cannot be compared with another program's; empty if it can.
 std::string check_rendered_whole(const LoadResult& loaded) {
     if (!loaded.scene) return "cannot be read";
     for (const Diagnostic& d : loaded.diagnostics) {
@@ -80,7 +81,7 @@ std::string compare_scene(const ForeignRequest& request, const Settings& setting
     LoadResult loaded = load_scene(request.scene);
     const double reading_seconds = frames::seconds_before_main() + reading.lap().cpu;
     if (std::string why = check_rendered_whole(loaded); !why.empty()) return why;
-    std::vector<std::string> problems;  // the integrator tells of them
+    std::vector<std::string> problems;  // the integrator reports them
     make_cut_outs(*loaded.scene, problems);
     figures.size = loaded.settings.resolution;
     figures.reference = reference_for(request.images, request.scene);

@@ -12,7 +12,7 @@
 namespace etalon::bench_report {
 namespace {
 
-/// A scene file, which is removed at the end if it was made for the measurement.
+/// A scene file, which is removed at the end if it was written for the measurement.
 class SceneFile {
   public:
     explicit SceneFile(const FrameRequest& request) : path_(request.scene) {
@@ -48,8 +48,8 @@ void measure(const FrameRequest& request, Results& results) {
     results.frames.add({request.origin, std::move(frame.value)});
 }
 
-/// Two renderings and, each time, about one and a half more. What a scene's own size takes is not
-/// known before it is loaded.
+/// Estimates two renderings, and for each repeat about one and a half more. The time of a scene's
+/// own resolution is unknown before it is loaded.
 double seconds_for(const FrameRequest& request, const Settings& settings) {
     const double renderings = 2 + 1.5 * settings.frame_repeats;
     if (request.samples == 0) return renderings * (request.width > 0 ? 0.1 : 1);

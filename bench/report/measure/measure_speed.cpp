@@ -23,7 +23,7 @@ void measure(const std::string& name, Results& results, const TaskProgress& task
     if (!figures.builds.empty()) results.scenes.add(std::move(figures));
 }
 
-/// A ray takes about a microsecond, whoever answers it.
+/// Estimates the time: a ray takes about a microsecond with any tracer.
 double seconds_for(const speed::Plan& plan) {
     const auto rays = static_cast<double>(plan.max_rays * plan.kinds.size() * plan.repeats);
     const auto ways = static_cast<double>(plan.tracers.size() * plan.threads.size());

@@ -44,7 +44,7 @@ void add(const std::string& title, const Bytes& rgb, ImageFigures& figures) {
     print_message("etalon-bench: warning: {}\n", png.error);
 }
 
-/// Pale is what only one pixel of a hundred exceeds: the few worst ones would make all others dark.
+/// The brightest colour is the 99th percentile: a few extreme pixels would make all others dark.
 void add_cost(const std::string& title, const PixelPlane& cost, ImageFigures& figures) {
     const double white = speed::quantile(cost.values, 0.99);
     const double mean = std::reduce(cost.values.begin(), cost.values.end()) /

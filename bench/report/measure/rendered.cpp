@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Below the working directory, beside the build folder, or where Etalon is installed.
+/// Looks below the working directory, next to the build folder, and where Etalon is installed.
 fs::path scenes_folder() {
     std::error_code none;
     const fs::path prefix = fs::read_symlink("/proc/self/exe", none).parent_path().parent_path();
@@ -36,7 +36,7 @@ std::optional<ShippedScene> shipped_scene(const std::string& name) {
     LoadResult loaded = load_scene(shipped_path(name));
     write_message(report(loaded.diagnostics));
     if (!loaded.scene) return std::nullopt;
-    std::vector<std::string> problems;  // the integrator tells of them
+    std::vector<std::string> problems;  // the integrator reports them
     make_cut_outs(*loaded.scene, problems);
     return ShippedScene{std::move(*loaded.scene), std::move(loaded.settings)};
 }
@@ -56,7 +56,7 @@ Rendered rendered(const Scene& scene, const std::string& backend, const RenderSe
     Stopwatch watch;
     const auto intersector = find_backend(backend)->build(scene.geometry);
     const Duration build = watch.lap();
-    std::vector<std::string> problems;  // what cannot be read is the background's colour
+    std::vector<std::string> problems;  // unreadable images have the background colour
     const auto integrator =
         find_integrator(settings.integrator)->make(scene, *intersector, settings, problems);
     watch.lap();

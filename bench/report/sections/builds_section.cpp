@@ -10,7 +10,8 @@ namespace {
 
 using namespace speed;
 
-/// Wall time with the largest number of threads, which the group's heading says; empty for one.
+/// Wall time with the largest number of threads, given in the group's heading; empty if that is
+/// one.
 Cell with_most_threads(const BuildFigures& b, BarGroup& group) {
     const Runs& most = b.by_threads.back();
     if (most.threads == 1) return {};

@@ -1,4 +1,4 @@
-// Section on other programs: error against CPU time of whole processes, theirs and ours.
+// Section on other programs: error against CPU time of whole processes, compared with Etalon's.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace convergence;
 
-/// Number of charts that are shown unasked.
+/// Number of charts that are visible without a click.
 constexpr std::size_t shown_charts = 12;
 
 std::string scientific(double value) {
@@ -68,7 +68,7 @@ std::string ratio_text(const EqualError& p) {
     return (p.own.extrapolated ? "≈ " : "") + three_digits(p.ratio);
 }
 
-/// Relative difference of the channel's mean that differs most, in percent.
+/// Largest relative difference of a channel's mean, in percent.
 std::string mean_text(const Point& p) {
     if (!p.mean_difference) return "–";
     const Vec3& d = *p.mean_difference;

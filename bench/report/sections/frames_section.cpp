@@ -1,4 +1,4 @@
-// Where the time of whole frames goes.
+// Section on whole frames: the time of each stage.
 #include <fmt/format.h>
 
 #include "bench/frames/stages.h"

@@ -1,4 +1,4 @@
-// The rays on which ray tracers go wrong: who passes.
+// Section on hard cases: which tracers pass.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ using accuracy::Row;
 
 constexpr const char* textbook = "textbook";
 
-/// The kernel of the textbooks in float has other names for other shapes: it is the first of them;
-/// the others are in the plots.
+/// The textbook kernel in float: the first textbook kernel of each shape, whose names differ. The
+/// others are in the plots.
 const Row* find(const CaseRows& c, const std::string& name) {
     if (name != textbook) return c.find(name);
     const auto found = std::find_if(c.rows.begin(), c.rows.end(), [](const Row* row) {

@@ -1,4 +1,4 @@
-// The machine and the versions.
+// Section on the machine and the versions.
 #include <fmt/format.h>
 
 #include "app/common/backends.h"
@@ -24,7 +24,7 @@ Table facts(const Results& results) {
     return table;
 }
 
-/// The instruction set is known of those that were built.
+/// Returns the instruction set of a backend, which is known only if the backend was built.
 std::string isa_of(const Results& results, std::string_view backend) {
     for (const speed::SceneFigures& scene : results.scenes.list) {
         for (const speed::BuildFigures& b : scene.builds) {

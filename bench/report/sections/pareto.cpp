@@ -1,4 +1,4 @@
-// Cost against error, shape by shape.
+// Section on cost against error for each shape.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ Table points_of(const std::vector<Row>& rows) {
     return table;
 }
 
-/// Number of the hard cases that a shape has.
+/// Returns the number of hard cases of a shape.
 std::size_t cases_of_shape(const std::string& shape) {
     const std::vector<hard::HardCase> all = hard::hard_cases();
     return static_cast<std::size_t>(std::ranges::count(all, shape, &hard::HardCase::shape));

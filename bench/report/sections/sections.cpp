@@ -14,7 +14,8 @@ constexpr const char* introduction =
     "on "
     "the machine below by the commands under each figure.";
 
-/// A machine that does something else as well: the part of its cores that was busy at the start.
+/// Share of the cores in use at the start above which the report warns that the machine was not
+/// idle.
 constexpr double busy = 0.2;
 
 std::string warning_of(const Machine& machine) {

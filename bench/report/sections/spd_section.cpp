@@ -1,4 +1,5 @@
-// The classic table (Haines 1987, "A Proposal for Standard Graphics Environments").
+// Section on the classic scenes of the SPD (Haines 1987, "A Proposal for Standard Graphics
+// Environments").
 #include <fmt/format.h>
 
 #include "bench/report/command_lines.h"

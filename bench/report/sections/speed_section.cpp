@@ -20,7 +20,8 @@ double rate(const KindFigures& kind, const std::vector<double>& seconds) {
     return 1e-6 * static_cast<double>(kind.rays) / median(seconds);
 }
 
-/// Wrong answers to the rays that the oracle was asked about: a sample and those in dispute.
+/// Returns the number of wrong answers to the rays checked by the oracle: a sample, and those on
+/// which tracers disagree.
 Cell wrong_of(const CheckedAnswers& sampled, const CheckedAnswers& disputed) {
     return bench_report::wrong_of(sampled.wrong + disputed.wrong, sampled.rays + disputed.rays);
 }
@@ -79,7 +80,7 @@ Figure overview(const Results& results) {
             speed_command(results.settings), results.scenes.date, Bars{{std::move(group)}}};
 }
 
-/// The scenes' geometric mean of what a ray costs, against the share of wrong answers.
+/// Plots the geometric mean over scenes of the cost of a ray against the share of wrong answers.
 accuracy::Scatter scatter_of(const std::vector<Totals>& all) {
     accuracy::Scatter scatter{baseline, 0, {}};
     for (const Totals& totals : all) {

@@ -22,7 +22,7 @@ std::map<std::string, std::vector<SceneFigures>> by_shape(const std::vector<Scen
     return groups;
 }
 
-/// A figure for each kind of scene: one mean of all would hide that they differ.
+/// Adds a figure for each kind of scene: a mean of all would hide their differences.
 void add_speed(const std::vector<SceneFigures>& all, std::vector<KeyFigure>& key_figures) {
     for (const auto& [shape, scenes] : by_shape(all)) {
         for (const Totals& totals : totals_of(scenes)) {
@@ -55,7 +55,7 @@ void add_builds(const std::vector<SceneFigures>& scenes, std::vector<KeyFigure>&
                      count_of(ratios.size(), "scene"), three_digits(geometric_mean(sizes)))});
 }
 
-/// Wrong answers of a group of tracers, to rays that are counted once however many answer them.
+/// Wrong answers of a group of tracers. A ray is counted once, however many tracers it is given to.
 struct WrongAnswers {
     void add(const accuracy::CaseRows& c, const std::function<bool(const accuracy::Row&)>& counts) {
         std::uint64_t most_rays = 0, most_errors = 0;

@@ -26,13 +26,13 @@ std::string wall_rate(const RayLine& line) {
     return rate(line, line.runs.wall());
 }
 
-/// A cell about errors.
+/// Returns a cell with a number of errors.
 template <std::string (*Cell)(const Errors& errors)>
 std::string any_query(const RayLine& line) {
     return line.has_errors() ? Cell(line.figures.errors) : "";
 }
 
-/// The same for what an occlusion query does not tell.
+/// The same for errors that occlusion queries cannot have.
 template <std::string (*Cell)(const Errors& errors)>
 std::string nearest_hit(const RayLine& line) {
     return line.has_errors() && line.kind.occlusion ? "-" : any_query<Cell>(line);
@@ -68,7 +68,8 @@ std::string sampled_errors(const Errors& e) {
     return count(e.sample.errors());
 }
 
-/// Narrow: the speed, and how often its answers are wrong; wide: how, and how far from another's.
+/// Narrow tables have the speed and the number of wrong answers; wide ones also their kinds, and
+/// the differences from the reference.
 const table::Columns<RayLine>& ray_columns() {
     static const table::Columns<RayLine> all = {
         {"", "threads", 7, threads<RayLine>},

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Alike for builds and rays.
+/// Writes the timings of builds or rays.
 Json json_of(const Runs& runs) {
     return {{"cpu_seconds", median(runs.cpu())},
             {"wall_seconds", median(runs.wall())},
@@ -58,7 +58,7 @@ Json json_of(const Errors& errors) {
             {"disputed", json_of(errors.disputed)}};
 }
 
-/// The figures of one thread, and below "threads" those of all numbers of them.
+/// Writes the figures for one thread, and under "threads" those for each number of threads.
 Json json_of(const RayFigures& figures, double rays) {
     Json json = json_of(figures.by_threads.front(), rays);
     json["errors"] = json_of(figures.errors);

@@ -5,13 +5,11 @@
 #include <numbers>
 
 #include "core/convert/physical_scene.h"
-#include "core/formats/triangulation.h"
 #include "core/formats/write/mesh_run.h"
 #include "core/formats/write/pbrt_material.h"
-#include "core/formats/write/pbrt_shapes.h"
+#include "core/formats/write/pbrt_shape_writer.h"
 #include "core/formats/write/text.h"
 #include "core/formats/write/write.h"
-#include "core/numerics/transforms.h"
 
 namespace etalon {
 namespace {
@@ -39,11 +37,6 @@ class PbrtScene {
     }
 
   private:
-    double distance_to_view_plane() const {
-        const Vec3 view = scene_.camera.at - scene_.camera.eye;
-        return std::sqrt(view.dot(view));
-    }
-
     /// Writes the camera. PBRT's is left-handed, which the scale compensates; its field of view is
     /// that of the shorter side.
     void write_camera() {
@@ -62,7 +55,7 @@ class PbrtScene {
     std::string lens(double height) const {
         const Camera& c = scene_.camera;
         if (c.aperture == 0) return {};
-        const double distance = distance_to_view_plane();
+        const double distance = distance_to_view_plane(c);
         return fmt::format(" \"float lensradius\" [ {} ] \"float focaldistance\" [ {} ]",
                            c.aperture * height * distance / settings_.resolution.y,
                            c.focal * distance);
@@ -116,7 +109,8 @@ class PbrtScene {
 
     void write_instances() {
         for (const Instance& instance : scene_.geometry.instances) {
-            write_image(instance.to_world(), "ObjectInstance \"o{}\"", instance.object);
+            shapes_.placed(instance.to_world(),
+                           fmt::format("ObjectInstance \"o{}\"", instance.object));
         }
     }
 
@@ -129,11 +123,11 @@ class PbrtScene {
             const MeshRun mesh = mesh_from(geometry, first);
             const bool shines = binding.light != no_index;
             if (shines) write_area_light(std::get<AreaSource>(look_.lights[binding.light]));
-            write_mesh(mesh.vertices, mesh.normals, mesh.faces);
+            shapes_.mesh(mesh.vertices, mesh.normals, mesh.faces);
             if (shines) out_.line("AttributeEnd");
             return first + mesh.faces.size();
         }
-        with_shape(p.kind, [&]<class Shape>() { write_shape(geometry.get<Shape>(p)); });
+        shapes_.primitive(geometry, p);
         return first + 1;
     }
 
@@ -145,134 +139,13 @@ class PbrtScene {
             light.radiance);
     }
 
-    void write_mesh(std::span<const Vec3> vertices, std::span<const Vec3> normals,
-                    std::span<const std::array<std::uint32_t, 3>> faces) {
-        out_.line("Shape \"trianglemesh\" \"integer indices\" [");
-        for (const auto& [a, b, c] : faces) out_.line("{} {} {}", a, b, c);
-        out_.line("] \"point P\" [");
-        for (const Vec3& v : vertices) out_.line("{}", v);
-        if (!normals.empty()) out_.line("] \"normal N\" [");
-        for (const Vec3& n : normals) out_.line("{}", n);
-        out_.line("]");
-    }
-
-    /// Writes a shape about the origin with its transform. PBRT's matrices are column by column.
-    template <class... T>
-    void write_image(const Affine& m, fmt::format_string<T...> shape, T&&... values) {
-        out_.line("TransformBegin\nTransform [ {} 0  {} 0  {} 0  {} 1 ]", m.x, m.y, m.z, m.origin);
-        out_.line(shape, std::forward<T>(values)...);
-        out_.line("TransformEnd");
-    }
-
-    void write_shape(const Triangle&) {}  // written with those that follow it, as a mesh
-
-    void write_shape(const Sphere& s) {
-        Affine place;
-        place.origin = s.centre;
-        write_image(place, "Shape \"sphere\" \"float radius\" [ {} ]", s.radius);
-    }
-
-    void write_shape(const Ellipsoid& e) {
-        write_image(e.to_world, "Shape \"sphere\" \"float radius\" [ 1 ]");
-    }
-
-    void write_shape(const ClosedCylinder& c) {
-        write_image(c.to_world,
-                    "Shape \"cylinder\" \"float radius\" [ 1 ] \"float zmin\" [ 0 ] \"float zmax\" "
-                    "[ 1 ]\nShape \"disk\" \"float height\" [ 0 ] \"float radius\" [ 1 ]\n"
-                    "Shape \"disk\" \"float height\" [ 1 ] \"float radius\" [ 1 ]");
-    }
-
-    void write_shape(const Ring& r) {
-        write_image(about_axis(r.centre, r.normal),
-                    "Shape \"disk\" \"float radius\" [ {} ] \"float innerradius\" [ {} ]", r.outer,
-                    r.inner);
-    }
-
-    void write_shape(const Quadric&) { lost_.add("quadric, left out"); }
-
-    void write_shape(const Revolved& s) {
-        if (const std::optional<PbrtShape> shape = to_pbrt(s)) {
-            write_image(shape->to_world, "{}", shape->statement);
-        } else {
-            lost_.add("surface of revolution of no shape that PBRT has, left out");
-        }
-    }
-
-    /// Writes a curve with the first of its parts.
-    void write_shape(const StoredCurve& c) {
-        if (c.part.number > 0) return;
-        const PbrtShape shape = to_pbrt(c);
-        write_image(shape.to_world, "{}", shape.statement);
-    }
-
-    void write_shape(const Cone& c) {
-        const Vec3 axis = c.top - c.base;
-        const double height = std::sqrt(axis.dot(axis));
-        if (c.base_radius == c.top_radius) {
-            write_image(about_axis(c.base, axis),
-                        "Shape \"cylinder\" \"float radius\" [ {} ] \"float zmin\" [ 0 ] \"float "
-                        "zmax\" [ {} ]",
-                        c.base_radius, height);
-        } else if (c.top_radius == 0) {
-            write_image(about_axis(c.base, axis),
-                        "Shape \"cone\" \"float radius\" [ {} ] \"float height\" [ {} ]",
-                        c.base_radius, height);
-        } else if (c.base_radius == 0) {
-            write_shape(Cone{c.top, c.base, c.top_radius, 0});
-        } else {
-            write_image(about_axis(c.base, axis),
-                        "Shape \"hyperboloid\" \"point p1\" [ {} 0 0 ] \"point p2\" [ {} 0 {} ]",
-                        c.base_radius, c.top_radius, height);
-        }
-    }
-
-    void write_shape(const Box& b) {
-        std::vector<Vec3> corners;
-        corners.reserve(8);
-        for (int i = 0; i < 8; ++i) {
-            corners.emplace_back((i & 1) != 0 ? b.max.x : b.min.x, (i & 2) != 0 ? b.max.y : b.min.y,
-                                 (i & 4) != 0 ? b.max.z : b.min.z);
-        }
-        static constexpr std::array<std::array<std::uint32_t, 3>, 12> faces = {{{0, 2, 3},
-                                                                                {0, 3, 1},
-                                                                                {4, 5, 7},
-                                                                                {4, 7, 6},
-                                                                                {0, 1, 5},
-                                                                                {0, 5, 4},
-                                                                                {2, 6, 7},
-                                                                                {2, 7, 3},
-                                                                                {0, 4, 6},
-                                                                                {0, 6, 2},
-                                                                                {1, 3, 7},
-                                                                                {1, 7, 5}}};
-        write_mesh(corners, {}, faces);
-    }
-
-    void write_shape(const Polygon& p) { write_mesh(p.corners, p.normals, triangulate(p.corners)); }
-
-    /// Writes a square instead of an infinite plane, which PBRT lacks: about the point nearest to
-    /// the eye, and as large as a thousand times all distances of the camera.
-    void write_shape(const Plane& p) {
-        lost_.add("infinite plane, now a large square");
-        const Vec3 normal = normalized(p.normal);
-        const double away = normal.dot(scene_.camera.eye - p.point);
-        const double side = 1000 * (distance_to_view_plane() + std::abs(away));
-        Affine map;
-        orthonormal_basis(normal, map.x, map.y);
-        const Vec3 centre = scene_.camera.eye - away * normal, x = side * map.x, y = side * map.y;
-        const std::array corners = {centre - x - y, centre + x - y, centre + x + y, centre - x + y};
-        static constexpr std::array<std::array<std::uint32_t, 3>, 2> faces = {
-            {{0, 1, 2}, {0, 2, 3}}};
-        write_mesh(corners, {}, faces);
-    }
-
     const Scene& scene_;
     const PhysicalLook& look_;
     const RenderSettings& settings_;
     ConversionWarnings& lost_;
     std::string text_;
     LineWriter out_{[this](std::string_view piece) { text_ += piece; }};
+    PbrtShapeWriter shapes_{out_, lost_, scene_.camera};
     std::uint32_t material_ = no_index;
 };
 

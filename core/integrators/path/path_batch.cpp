@@ -122,7 +122,7 @@ void PathBatch<in_media>::shade(std::size_t ray, const VertexNumbers& numbers) {
     const Vec3& direction = rays_[ray].direction;
     const PhysicalSurface surface = physical_surface(shared_.scene, rays_[ray], hits_[ray]);
     add_emitted(path, surface, direction);
-    if (shared_.shading.is_passed(surface)) {
+    if (shared_.shading.has_null_material(surface)) {
         next_rays_.push_back(ray_beyond(rays_[ray], hits_[ray], surface.point.convexity));
         next_paths_.push_back(path);
         if constexpr (in_media) {

@@ -122,7 +122,7 @@ void PathBatch<in_media>::add_scattered(std::size_t ray, const Path& path, const
 /// Attenuates the light of lights by what is in the way: surfaces block it, media let a part pass.
 template <bool in_media>
 void PathBatch<in_media>::attenuate_answers() {
-    if (!shared_.shading.has_passages()) {
+    if (!shared_.shading.has_null_materials()) {
         shared_.intersector.occluded(shadow_rays_, blocked_);
         for (std::size_t i = 0; i < answers_.size(); ++i) {
             if (blocked_[i] == 0) attenuate(i, shadow_rays_[i], shadow_rays_[i].tmax);
@@ -165,7 +165,7 @@ bool PathBatch<in_media>::passes(std::size_t answer, Ray& ray, const Hit& hit) {
         return false;
     }
     const PhysicalSurface at = physical_surface(shared_.scene, ray, hit);
-    if (!shared_.shading.is_passed(at)) {
+    if (!shared_.shading.has_null_material(at)) {
         blocked_[answer] = 1;
         return false;
     }

@@ -14,7 +14,8 @@ void PathBatch<in_media>::enter(const Path& path, const SurfaceVertex& at,
                                 const BsdfSample& sample) {
     const SurfacePoint& point = at.surface.point;
     const Subsurface* below = at.subsurface;
-    if (!shared_.shading.is_lasting(at.surface)) below = &textured_.emplace_back(*below);
+    if (!shared_.shading.has_constant_subsurface(at.surface))
+        below = &textured_.emplace_back(*below);
     entries_.push_back({path, point.position, at.frame, below,
                         shared_.shading.material_below(at.surface), at.medium, point.time});
     entries_.back().path.throughput *= sample.f * (at.cosine(sample.wi) / sample.pdf);

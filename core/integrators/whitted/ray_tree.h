@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/integrators/whitted/padded_color.h"
 #include "core/integrators/whitted/secondary_rays.h"
 #include "core/sampling/dimensions.h"
 #include "core/sampling/sample_source.h"
@@ -10,36 +11,37 @@
 
 namespace etalon {
 
-/// Rays of the same depth, followed together, and the path of each.
+/// Rays of the same depth, traced together, and the path of each.
 struct RayBatch {
     RayStream rays;
     std::span<const RayPath> paths;
-    std::span<const SampleSource> sources;  ///< of the camera rays
+    std::span<const SampleSource> sources;  ///< one for each camera ray
 };
 
-/// Where trees of rays, one for each sample, are kept while they are followed, all together and
-/// level by level: the camera rays are of the first. To be used again and again.
+/// Buffers for the trees of rays of many samples, which are traced together, level by level: the
+/// camera rays are the first level. Reused from batch to batch.
 class RayTree {
   public:
-    /// What is known of one batch. A level has one batch at a time.
+    /// The data of one batch of rays. A level has one batch at a time.
     struct Level {
         std::vector<Hit> hits;
         SeenSurfaces surfaces;
-        std::vector<Color> colors;  ///< that the surfaces send back along the rays
+        std::vector<Color> colors;  ///< radiance that the surfaces send back along the rays
         SecondaryRays secondary;
         std::vector<ShutterTime> secondary_times;
-        std::vector<Color> incoming;  ///< by these
+        std::vector<Color> incoming;  ///< radiance that the secondary rays bring back
 
-        Vec3Buffer light_points;  ///< one for each surface
+        Vec3Buffer light_points;  ///< a point of the light for each surface
         ShadowRays shadow;
         std::vector<ShutterTime> shadow_times;
-        std::vector<std::uint8_t> blocked;  ///< whether these rays are
-        PaddedColumn<float> highlights;     ///< at the surfaces that these rays leave
-        std::vector<Color> reflected;       ///< part of a white light that surfaces send back
-        std::vector<Color> lit;             ///< what all lights give
+        std::vector<std::uint8_t> blocked;  ///< 1 where the shadow ray is occluded
+        PaddedColumn<float> highlights;     ///< at the origin of each shadow ray
+        std::vector<PaddedColor>
+            reflected;                 ///< light reflected from a white light, for each surface
+        std::vector<PaddedColor> lit;  ///< light reflected from all lights, for each surface
     };
 
-    /// The level of that depth, 1 for camera rays. Levels stay where they are.
+    /// Returns the level of a depth, 1 for camera rays. References to levels stay valid.
     Level& level(int depth) {
         while (levels_.size() < static_cast<std::size_t>(depth)) {
             levels_.push_back(std::make_unique<Level>());
@@ -47,7 +49,7 @@ class RayTree {
         return *levels_[depth - 1];
     }
 
-    /// The paths of so many camera rays.
+    /// Returns the paths of `count` camera rays.
     std::span<const RayPath> camera_paths(std::size_t count) {
         for (auto i = static_cast<std::uint32_t>(camera_paths_.size()); i < count; ++i) {
             camera_paths_.push_back({i, camera_ray_name, Color(0.0F)});

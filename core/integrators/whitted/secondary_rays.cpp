@@ -13,8 +13,9 @@ bool is_black(const Color& c) {
     return c == Color(0.0F);
 }
 
-/// What leaves surfaces of a chunk by one way: a weight for each ray.
-struct LeavingWay {
+/// The rays of one kind, mirrored or refracted, that leave the surfaces of a chunk: which surfaces
+/// have one, and its weight.
+struct WeightedRays {
     LeavingRays::Choice choice = 0;
     std::array<Color, LeavingRays::most> weights;
 
@@ -24,10 +25,10 @@ struct LeavingWay {
     }
 };
 
-/// Finds what leaves surface number i of the chunk. A mirrored ray that weighs nothing is followed
-/// where `all_glass_mirrors`.
+/// Finds the weights of the rays that leave surface number i of the chunk. With `all_glass_mirrors`
+/// a mirrored ray is traced even if its weight is 0.
 void weigh(const Material& m, const LeavingRays& leaving, std::size_t i, bool all_glass_mirrors,
-           LeavingWay& mirrored, LeavingWay& refracted) {
+           WeightedRays& mirrored, WeightedRays& refracted) {
     const bool counted = all_glass_mirrors && !is_black(m.transmission);
     Color reflection = m.reflection, transmission = m.transmission;
     if (!is_black(m.transmission)) {
@@ -42,11 +43,11 @@ void weigh(const Material& m, const LeavingRays& leaving, std::size_t i, bool al
     if (!is_black(transmission)) refracted.add(i, transmission);
 }
 
-/// Appends what is known of rays, but for themselves, that leave surfaces from number `first` on.
-/// Returns how many they are.
-std::size_t append(const LeavingWay& way, bool crosses, const SeenSurfaces& surfaces,
+/// Appends path, surface and weight of the rays that leave surfaces from number `first` on, but not
+/// the rays themselves. Returns the number of rays.
+std::size_t append(const WeightedRays& some, bool crosses, const SeenSurfaces& surfaces,
                    std::size_t first, std::span<const RayPath> seen_by, SecondaryRays& to) {
-    for (LeavingRays::Choice left = way.choice; left != 0; left &= left - 1) {
+    for (LeavingRays::Choice left = some.choice; left != 0; left &= left - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(left)), j = first + i;
         const SeenSurfaces::Traits& traits = surfaces.traits[j];
         const RayPath& path = seen_by[traits.ray];
@@ -54,14 +55,14 @@ std::size_t append(const LeavingWay& way, bool crosses, const SeenSurfaces& surf
         if (crosses) within = surfaces.entering(j) ? traits.material->absorption : Color(0.0F);
         to.paths.push_back({path.sample, ray_name(path.name, crosses), within});
         to.surfaces.push_back(static_cast<std::uint32_t>(j));
-        to.weights.push_back(way.weights[i]);
+        to.weights.push_back(some.weights[i]);
     }
-    return static_cast<std::size_t>(std::popcount(way.choice));
+    return static_cast<std::size_t>(std::popcount(some.choice));
 }
 
 }  // namespace
 
-/// Chunk by chunk, the mirrored rays first.
+/// Works chunk by chunk; the mirrored rays of a chunk come before its refracted ones.
 void SecondaryRays::find(const SeenSurfaces& seen, std::span<const RayPath> seen_by,
                          const WhittedRules& rules, RayCounts& counts) {
     paths.clear();
@@ -71,8 +72,8 @@ void SecondaryRays::find(const SeenSurfaces& seen, std::span<const RayPath> seen
     LeavingRays leaving(seen, {rules.schlick, rules.fixed_bias});
     for (std::size_t first = 0, count = 0; first < seen.size(); first += count) {
         count = leaving.make(first);
-        LeavingWay mirrored, refracted;
-        for (LeavingRays::Choice left = leaving.senders(); left != 0; left &= left - 1) {
+        WeightedRays mirrored, refracted;
+        for (LeavingRays::Choice left = leaving.active(); left != 0; left &= left - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(left));
             weigh(*seen.traits[first + i].material, leaving, i, rules.mirror_all_glass, mirrored,
                   refracted);

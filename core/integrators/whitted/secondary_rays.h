@@ -9,24 +9,26 @@
 
 namespace etalon {
 
-/// What belongs to a ray on its way: its sample, its place in the tree of rays, which names the
-/// sample dimensions used at its end, and what the matter around it absorbs.
+/// The state of a path at a ray: its sample, its position in the tree of rays, from which the
+/// sample dimensions at its hit are derived, and the absorption of the medium around it.
 struct RayPath {
-    std::uint32_t sample;  ///< its number among those of the camera rays
+    std::uint32_t sample;  ///< number of its camera ray
     std::uint32_t name;
     Color absorption;
 };
 
-/// The rays that leave the surfaces of a batch for mirrors and glass. To be found again and again.
+/// The rays that mirrors and glass send on from the surfaces of a batch. Reused from batch to
+/// batch.
 struct SecondaryRays {
-    /// `paths` are those of the rays that have seen the surfaces. Counts the rays.
+    /// Finds the rays and adds their number to `counts`. `seen_by` holds the paths of the rays that
+    /// hit the surfaces.
     void find(const SeenSurfaces& seen, std::span<const RayPath> seen_by, const WhittedRules& rules,
               RayCounts& counts);
 
     RayBuffer rays;
     std::vector<RayPath> paths;
-    std::vector<std::uint32_t> surfaces;  ///< where each begins
-    std::vector<Color> weights;           ///< of its colour there
+    std::vector<std::uint32_t> surfaces;  ///< number of the surface that each ray leaves
+    std::vector<Color> weights;           ///< factor of the radiance that each ray brings back
 };
 
 }  // namespace etalon

@@ -25,11 +25,13 @@ Color fitted(const Color& c) {
 /// Transmittance over a distance (Beer-Lambert).
 Color transmittance(const Color& absorption, double distance) {
     const auto along = [&](float a) { return static_cast<float>(std::exp(-a * distance)); };
-    return {along(absorption.x), along(absorption.y), along(absorption.z)};
+    const float x = along(absorption.x);
+    const auto like_x = [&](float a) { return a == absorption.x ? x : along(a); };
+    return {x, like_x(absorption.y), like_x(absorption.z)};
 }
 
-/// Gives rays, which begin at surfaces of those numbers, the traits and times of those that have
-/// seen these. `times` must outlive the stream.
+/// Gives rays, which leave the surfaces of those numbers, the traits and times of the rays that hit
+/// the surfaces. `times` must outlive the stream.
 template <class Numbers>
 void take_traits(const RayStream& seen_by, const SeenSurfaces& surfaces, const Numbers& numbers,
                  RayStream& rays, std::vector<ShutterTime>& times) {
@@ -68,8 +70,8 @@ void Whitted::radiance(const CameraSamples& samples, std::span<Color> colors,
     for (Color& color : colors) color = fitted(color);
 }
 
-/// Sets the colour that each ray of the batch brings back: what the recursion over a tree of rays
-/// gives for one of them, for all of a depth together.
+/// Sets the radiance along each ray of the batch. It is that of the usual recursion over a tree of
+/// rays, evaluated for all rays of a depth together.
 void Whitted::trace(RayTree& tree, int depth, const RayBatch& batch, std::span<Color> colors,
                     RayCounts& counts) const {
     RayTree::Level& level = tree.level(depth);
@@ -89,16 +91,13 @@ void Whitted::trace(RayTree& tree, int depth, const RayBatch& batch, std::span<C
     for (Color& color : colors) color = clamped(color);
 }
 
-/// Finds where the rays hit. Sets the colours of those that do not, and to begin with those of
-/// surfaces to what does not depend on other rays.
+/// Intersects the rays with the scene. Sets the colours of rays that miss, and starts those of
+/// surfaces with the ambient term, which needs no other ray.
 void Whitted::find_surfaces(RayTree::Level& level, const RayBatch& batch,
                             std::span<Color> colors) const {
     level.hits.resize(batch.rays.size());
     intersector_.closest(batch.rays, level.hits);
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-        if (level.hits[i].primitive != no_index) continue;
-        colors[i] = environment_.radiance(batch.rays.directions[i]);
-    }
+    environment_.set_radiance(batch.rays.directions, level.hits, colors);
     level.surfaces.find(scene_, batch.rays, level.hits);
     level.colors.resize(level.surfaces.size());
     for (const SeenSurfaces::MaterialRun& run : level.surfaces.runs) {
@@ -107,7 +106,7 @@ void Whitted::find_surfaces(RayTree::Level& level, const RayBatch& batch,
     }
 }
 
-/// Finds the light's point k for each surface.
+/// Finds point number k of the light for each surface.
 void Whitted::find_light_points(std::size_t light, int k, RayTree::Level& level,
                                 const RayBatch& batch) const {
     const LightSamples& samples = lights_[light];
@@ -128,7 +127,7 @@ void Whitted::find_light_points(std::size_t light, int k, RayTree::Level& level,
     for (const Vec2& uv : points.make()) level.light_points.set(j++, samples.position(uv));
 }
 
-/// Calls add(j, reflected) for each surface j whose shadow ray is not blocked, with the light that
+/// Calls add(j, reflected) for each surface j whose shadow ray is not occluded, with the light that
 /// it reflects from a white light.
 template <class Add>
 void Whitted::reflect_light(RayTree::Level& level, const Add& add) const {
@@ -139,19 +138,21 @@ void Whitted::reflect_light(RayTree::Level& level, const Add& add) const {
         first = last;
         while (last < shadow.size() && shadow.surface(last) < run.last) ++last;
         const Material& m = *run.material;
+        const PaddedColor diffuse(m.diffuse), specular(m.specular);
         const auto reflect = [&](const auto& highlight) {
             for (std::size_t i = first; i < last; ++i) {
                 if (level.blocked[i] != 0) continue;
-                Color reflected = m.diffuse * static_cast<float>(shadow.cosines[i]);
+                PaddedColor reflected = diffuse * static_cast<float>(shadow.cosines[i]);
                 highlight(i, reflected);
                 add(shadow.surface(i), reflected);
             }
         };
         if (is_black(m.specular)) {
-            reflect([](std::size_t, const Color&) {});
+            reflect([](std::size_t, const PaddedColor&) {});
         } else {
             find_highlights(m, level.surfaces, shadow, first, last, level.highlights);
-            reflect([&](std::size_t i, Color& sum) { sum += m.specular * level.highlights[i]; });
+            reflect(
+                [&](std::size_t i, PaddedColor& sum) { sum += specular * level.highlights[i]; });
         }
     }
 }
@@ -174,30 +175,31 @@ void Whitted::add_light(std::size_t light, int k, RayTree::Level& level, const R
     reflect_light(level, add);
 }
 
-/// Adds what the lights send along each ray, by surfaces that scatter or shine.
+/// Adds the direct light of surfaces with a diffuse or specular term.
 void Whitted::add_direct(RayTree::Level& level, const RayBatch& batch, RayCounts& counts) const {
     const std::size_t count = level.surfaces.size();
-    level.lit.assign(count, Color(0.0F));
+    level.lit.assign(count, {});
     for (std::size_t i = 0; i < lights_.size(); ++i) {
-        const Color& color = lights_[i].color();
+        const PaddedColor color(lights_[i].color());
         if (lights_[i].count() == 1) {
-            add_light(i, 0, level, batch, counts,
-                      [&](std::size_t j, const Color& sent) { level.lit[j] += sent * color; });
+            add_light(i, 0, level, batch, counts, [&](std::size_t j, const PaddedColor& sent) {
+                level.lit[j] += sent * color;
+            });
             continue;
         }
-        level.reflected.assign(count, Color(0.0F));
+        level.reflected.assign(count, {});
         for (int k = 0; k < lights_[i].count(); ++k) {
             add_light(i, k, level, batch, counts,
-                      [&](std::size_t j, const Color& sent) { level.reflected[j] += sent; });
+                      [&](std::size_t j, const PaddedColor& sent) { level.reflected[j] += sent; });
         }
         for (std::size_t j = 0; j < count; ++j) level.lit[j] += level.reflected[j] * color;
     }
     for (std::size_t j = 0; j < count; ++j) {
-        if (level.surfaces.scatters[j] > 0) level.colors[j] += level.lit[j];
+        if (level.surfaces.scatters[j] > 0) level.colors[j] += level.lit[j].color();
     }
 }
 
-/// Adds what mirrors and glass let come back.
+/// Adds the radiance that rays mirrored and refracted by the surfaces bring back.
 void Whitted::add_secondary(RayTree& tree, int depth, const RayBatch& batch,
                             RayCounts& counts) const {
     RayTree::Level& level = tree.level(depth);
@@ -214,11 +216,12 @@ void Whitted::add_secondary(RayTree& tree, int depth, const RayBatch& batch,
                batch.sources},
               std::span(level.incoming).subspan(first, count), counts);
     }
-    level.lit.assign(level.surfaces.size(), Color(0.0F));
+    if (all == 0) return;
+    level.lit.assign(level.surfaces.size(), {});
     for (std::size_t i = 0; i < all; ++i) {
-        level.lit[secondary.surfaces[i]] += secondary.weights[i] * level.incoming[i];
+        level.lit[secondary.surfaces[i]] += PaddedColor(secondary.weights[i] * level.incoming[i]);
     }
-    for (std::size_t j = 0; j < level.lit.size(); ++j) level.colors[j] += level.lit[j];
+    for (std::size_t j = 0; j < level.lit.size(); ++j) level.colors[j] += level.lit[j].color();
 }
 
 }  // namespace etalon

@@ -43,7 +43,7 @@ class Whitted final : public Integrator {
     const BatchIntersector& intersector_;
     EnvironmentMap environment_;
     std::vector<LightSamples> lights_;
-    bool any_absorbs_;  ///< light is absorbed behind some surface
+    bool any_absorbs_;  ///< some material absorbs light behind its surface
     int max_depth_;
     WhittedRules rules_;
     mutable Spares<RayTree> trees_;

@@ -28,7 +28,7 @@ struct RayLanes {
 /// Result for each ray: t, NaN where the ray misses, and whether first_hit() must decide instead.
 struct HitLanes {
     Doubles t;
-    DoubleMask doubtful;
+    DoubleMask uncertain;
 };
 
 HWY_INLINE HitLanes misses() {

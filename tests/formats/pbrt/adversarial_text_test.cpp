@@ -1,4 +1,4 @@
-// Texts made to cost much: time and memory stay in proportion to what is read.
+// Adversarial texts: time and memory stay in proportion to the input.
 #include <algorithm>
 
 #include "tests/formats/pbrt/pbrt_text.h"

@@ -1,4 +1,4 @@
-// Files of tables by which surfaces scatter light, and what is said of those that are none.
+// Files of tabulated BSDFs, and messages about invalid ones.
 #include "core/formats/load.h"
 #include "core/formats/pbrt/build/bsdf_file.h"
 #include "tests/catch.h"
@@ -16,7 +16,7 @@ const FourierTable& small_table() {
     return table;
 }
 
-/// The file with a word of 32 bits replaced; the words of the header begin with number 2.
+/// Returns the file with a word of 32 bits replaced; the words of the header start at number 2.
 template <class Word>
 std::string with_word(std::size_t number, Word word) {
     std::string bytes = bytes_of(small_table());

@@ -1,4 +1,4 @@
-// What scenes of other formats are converted to.
+// Conversion of scenes of other formats.
 #include "core/formats/load.h"
 #include "core/formats/write/write.h"
 #include "tests/formats/pbrt/pbrt_text.h"

@@ -1,4 +1,4 @@
-// Curves of PBRT as the parts of Bezier curves that a scene has of them.
+// Curves of PBRT converted to segments of Bezier curves.
 #include "core/formats/load.h"
 #include "core/scene/bezier.h"
 #include "tests/formats/pbrt/pbrt_text.h"

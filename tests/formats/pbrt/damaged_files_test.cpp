@@ -1,4 +1,5 @@
-// Files cut and with bytes flipped: whatever the damage, frames that hold together and diagnostics.
+// Truncated files and files with changed bytes: any damage must give consistent frames and
+// diagnostics.
 #include "core/numerics/random.h"
 #include "tests/formats/pbrt/pbrt_text.h"
 #include "tests/formats/pbrt/whole_files.h"
@@ -12,7 +13,7 @@ bool is_number(std::uint32_t number, std::size_t size) {
     return number == none || number < size;
 }
 
-/// Returns whether all that the parameters name is in the frame.
+/// Returns whether all names in the parameters are defined in the frame.
 bool is_bound(const Plugin& plugin, const Frame& frame) {
     return std::ranges::all_of(plugin.parameters.arguments(), [&](const Argument& a) {
         const auto* texture = std::get_if<TextureNumber>(&a.values);
@@ -70,7 +71,7 @@ TEST_CASE("the files to be damaged are whole") {
     for (const std::string& scene : whole_files()) check_survives(scene);
 }
 
-TEST_CASE("a PBRT file cut anywhere gives what is whole, and says so") {
+TEST_CASE("a PBRT file truncated anywhere gives its complete statements, and a diagnostic") {
     for (const std::string& scene : whole_files()) {
         for (std::size_t size = 0; size < scene.size(); ++size) {
             const std::string text = scene.substr(0, size);

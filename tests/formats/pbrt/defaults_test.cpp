@@ -1,4 +1,4 @@
-// The defaults of every parameter, written down a second time.
+// The defaults of every parameter, listed independently.
 #include <fmt/format.h>
 
 #include <map>
@@ -16,7 +16,7 @@ namespace {
 struct Expected {
     Category category;
     std::string plugin;
-    std::string defaults;  ///< name=default; nothing after the sign where there is none
+    std::string defaults;  ///< name=default; nothing after the sign if there is none
 };
 
 const std::string camera =
@@ -232,7 +232,7 @@ TEST_CASE("the default of one parameter may be the value of another") {
     CHECK(parameters.number("zmax") == 3);
 }
 
-TEST_CASE("a metal that says nothing is of copper, as other measurements have it too") {
+TEST_CASE("a metal without parameters is copper, in agreement with other measurements") {
     const Parameters metal(*find_plugin(Category::material, "metal"));
     for (int k = 0; k < 3; ++k) {
         CHECK(metal.color("eta")[k] == Approx(copper_eta()[k]).epsilon(0.01));

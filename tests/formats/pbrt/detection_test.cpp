@@ -1,4 +1,4 @@
-// Telling PBRT from other formats by how a text starts.
+// Detection of PBRT by the beginning of a text.
 #include "core/formats/load.h"
 #include "tests/catch.h"
 

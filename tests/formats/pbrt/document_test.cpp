@@ -26,7 +26,7 @@ std::string section(const std::string& text, std::string_view heading) {
 
 }  // namespace
 
-TEST_CASE("docs/pbrt.md says of each plugin what is rendered") {
+TEST_CASE("docs/pbrt.md states for each plugin what is rendered") {
     const std::string text = document();
     for (std::size_t c = 0; c < category_count; ++c) {
         const auto category = static_cast<Category>(c);

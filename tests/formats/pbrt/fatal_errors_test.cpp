@@ -1,4 +1,4 @@
-// What pbrt-v3 stops at: an error that says what was expected, after which reading goes on.
+// Errors at which pbrt-v3 stops: the message says what was expected, and reading continues.
 #include "tests/formats/pbrt/pbrt_text.h"
 
 using namespace etalon;
@@ -6,7 +6,7 @@ using namespace etalon::pbrt;
 
 namespace {
 
-/// Checks that this statement, in a world with a good one after it, is fatal and why.
+/// Checks that this statement, followed by a valid one, is a fatal error with this reason.
 void check_fatal(const std::string& statement, const std::string& message) {
     const ParsedFile file = parse_world(statement + "\nShape \"sphere\"");
     CAPTURE(statement);
@@ -111,7 +111,7 @@ TEST_CASE("a file that ends in a statement") {
     }
 }
 
-TEST_CASE("what pbrt-v3 goes on after is not fatal") {
+TEST_CASE("errors after which pbrt-v3 continues are not fatal") {
     for (const char* text :
          {"AttributeEnd", "NamedMaterial \"x\"", "ObjectInstance \"x\"", "Camera \"perspective\"",
           "Include \"none\"", "LightSource \"x\"", "Shape \"x\"", "CoordSysTransform \"x\""}) {

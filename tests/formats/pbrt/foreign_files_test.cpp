@@ -5,7 +5,7 @@ using namespace etalon::pbrt;
 
 namespace {
 
-/// The first message about a text.
+/// Returns the first message about a text.
 std::string said(const std::string& text) {
     const ParsedFile file = parse_text(text);
     CAPTURE(text);

@@ -25,7 +25,7 @@ class Folder {
         return etalon::pbrt::parse(text, path_of("top.pbrt"));
     }
 
-    /// Messages with the folder's name taken out.
+    /// Returns the messages without the folder's name.
     Messages said(const ParsedFile& file) const {
         Messages list = messages(file);
         for (std::string& m : list) {

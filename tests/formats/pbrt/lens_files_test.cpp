@@ -1,4 +1,4 @@
-// Lens files of realistic cameras, and what is said of those that cannot be used.
+// Lens files of realistic cameras, and messages about unusable ones.
 #include "core/formats/load.h"
 #include "tests/catch.h"
 #include "tests/temporary_folder.h"
@@ -9,7 +9,7 @@ namespace {
 
 using Said = std::vector<std::string>;
 
-/// Loads scenes of a realistic camera in a folder of their own.
+/// Loads scenes with a realistic camera in a separate folder.
 class Lenses {
   public:
     void write(const std::string& text) const { test::put(folder_ / "a.dat", text); }
@@ -20,7 +20,7 @@ class Lenses {
                                folder_ / "a.pbrt");
     }
 
-    /// What is said of a scene, without the folder.
+    /// Returns the messages about a scene, without the folder.
     Said said(const LoadResult& loaded) const {
         Said list;
         for (const Diagnostic& d : loaded.diagnostics) {
@@ -66,7 +66,7 @@ TEST_CASE("a lens file's surfaces are those of the camera") {
     CHECK(camera.lens->film_diagonal == 0.035);
 }
 
-TEST_CASE("the diameter of a stop is no larger than the lens file says") {
+TEST_CASE("the diameter of a stop is at most that of the lens file") {
     const Lenses lenses;
     lenses.write(biconvex);
     const LoadResult loaded = lenses.load(file + "\"float aperturediameter\" 12");
@@ -75,7 +75,7 @@ TEST_CASE("the diameter of a stop is no larger than the lens file says") {
     CHECK(lenses.camera(loaded).lens->surfaces[1].aperture_radius == 0.005);
 }
 
-TEST_CASE("words in a lens file are passed over") {
+TEST_CASE("words in a lens file are skipped") {
     const Lenses lenses;
     lenses.write("50 4 1.5 20 mm\n0 1 0 10\n-50 45 1 20");
     const LoadResult loaded = lenses.load(file);

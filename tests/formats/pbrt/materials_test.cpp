@@ -175,7 +175,7 @@ TEST_CASE("a shape that states its material anew takes the textures that are kno
 }
 
 TEST_CASE("what tells pbrt-v3 that a shape states a material") {
-    // A material whose texture is defined again shows whether it was stated anew.
+    // A material whose texture is redefined shows whether the material was created again.
     const std::string before =
         "Texture \"t\" \"color\" \"constant\" Material \"matte\" \"texture Kd\" "
         "\"t\"\nTexture \"t\" \"color\" \"constant\" Texture \"f\" \"float\" "

@@ -6,13 +6,13 @@ using namespace etalon::pbrt;
 
 namespace {
 
-/// Parameters of the camera that has these.
+/// Returns the camera parameters that are read from this text.
 Parameters camera(const std::string& parameters) {
     return good_frame("Camera \"perspective\" " + parameters + "\nWorldBegin WorldEnd")
         .camera.parameters;
 }
 
-/// The same where one thing is said.
+/// The same with one message.
 Parameters camera_with(const std::string& parameters, const std::string& message) {
     ParsedFile file = parse_text("Camera \"perspective\" " + parameters + "\nWorldBegin WorldEnd");
     CAPTURE(parameters);
@@ -235,7 +235,7 @@ TEST_CASE("another name of a parameter is used where the first is not given") {
 
 TEST_CASE("a strict reader has errors in place of warnings") {
     const ParsedFile file =
-        parse_text("Camera \"perspective\" \"float fow\" 30 WorldBegin WorldEnd", {.strict = true});
+        parse_text("Camera \"perspective\" \"float fow\" 30 WorldBegin WorldEnd", {.strict = true, .root = {}});
     REQUIRE(file.diagnostics.size() == 1);
     CHECK(file.diagnostics[0].severity == Severity::error);
     CHECK_FALSE(file.is_fatal);

@@ -1,4 +1,4 @@
-// Real scenes, which this machine may have.
+// Real scenes, if this machine has them.
 #include <filesystem>
 
 #include "core/formats/file_text.h"
@@ -22,7 +22,7 @@ std::vector<std::string> pbrt_files() {
     return list;
 }
 
-/// What is to be said about the few files that are not quite right, by their names.
+/// Expected messages about the few files with defects, by file name.
 const std::vector<std::pair<std::string, std::string>> known_flaws = {
     {"goniometric.pbrt", "unused"}, {"spot.pbrt", "unused"}, {"stratified.pbrt", "unused"}};
 

@@ -1,4 +1,4 @@
-// What is said of statements that a picture does not follow, and where.
+// Warnings about statements that are not rendered as given, and their positions.
 #include "core/formats/load.h"
 #include "tests/formats/pbrt/pbrt_text.h"
 
@@ -9,7 +9,7 @@ namespace {
 const std::string triangle =
     "Shape \"trianglemesh\" \"point P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2]";
 
-/// What is said of a scene whose world, after its first line, is this.
+/// Returns the messages about a scene with this world, after its first line.
 std::vector<std::string> said_of_world(const std::string& world, const LoadOptions& options = {}) {
     const LoadResult r =
         load_scene_text("WorldBegin\n" + world + "\nWorldEnd\n", "a.pbrt", options);
@@ -19,7 +19,7 @@ std::vector<std::string> said_of_world(const std::string& world, const LoadOptio
     return list;
 }
 
-/// A chain of textures in which each takes two of the one before it.
+/// Returns a chain of textures in which each uses the previous one twice.
 std::string nested_textures(int depth) {
     std::string text = "Texture \"t0\" \"spectrum\" \"constant\"\n";
     for (int i = 1; i < depth; ++i) {
@@ -40,10 +40,10 @@ TEST_CASE("textures are nested until one value takes more than a thousand of the
         said_of_world(nested_textures(10)) ==
         Said{"a.pbrt:11:1: warning: more than 1000 textures are nested in this one; the constant 1 "
              "stands in for it"});
-    CHECK(said_of_world(nested_textures(40)).size() == 4);  // the count begins anew each time
+    CHECK(said_of_world(nested_textures(40)).size() == 4);  // the count is reset each time
 }
 
-TEST_CASE("an integrator that leaves out media says so where it is named") {
+TEST_CASE("an integrator that ignores media causes a warning at its statement") {
     const std::string medium = "MakeNamedMedium \"m\" \"string type\" \"homogeneous\"";
     CHECK(said_of_world(medium) == Said{});
     CHECK(said_of_world(medium + " MediumInterface \"m\"") ==

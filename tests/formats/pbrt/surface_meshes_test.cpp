@@ -1,4 +1,4 @@
-// Height fields and NURBS as the triangles that a scene has of them.
+// Height fields and NURBS converted to triangles.
 #include "core/formats/load.h"
 #include "tests/formats/pbrt/pbrt_text.h"
 
@@ -12,7 +12,7 @@ LoadResult loaded(const std::string& shape) {
     return r;
 }
 
-/// What is said of a shape that is left out.
+/// Returns the message about a shape that is left out.
 std::string said_of(const std::string& shape) {
     const LoadResult r = loaded(shape);
     REQUIRE(r.diagnostics.size() == 1);
@@ -71,7 +71,8 @@ TEST_CASE("control points of NURBS may have weights") {
         loaded(cylinder + "\"float Pw\" [0 0 0 1  2 0 0 2  2 0 0 1  0 1 0 1  2 2 0 2  2 1 0 1]");
     const LoadResult plain = loaded(cylinder + points);
     CHECK(weighted.scene->geometry.vertices[899] == Vec3(2, 1, 0));
-    // The weight of 2 draws the middle: at u = 10/29 x is further from the border.
+    // The weight of 2 attracts the surface to the middle: at u = 10/29 x is further from the
+    // border.
     CHECK(weighted.scene->geometry.vertices[10].x > plain.scene->geometry.vertices[10].x + 0.05);
 }
 

@@ -7,7 +7,7 @@ using namespace etalon::pbrt;
 
 namespace {
 
-/// Where the statements carry the point (1, 2, 3).
+/// Returns the image of the point (1, 2, 3) under the statements.
 Vec3 carried(const std::string& statements) {
     const Frame frame = good_world(statements + " Shape \"sphere\"");
     return image(start(frame, frame.shapes.at(0)), {1, 2, 3});
@@ -18,7 +18,7 @@ void check_near(const Vec3& a, const Vec3& b) {
     CHECK(max_abs(a - b) < 1e-12);
 }
 
-/// Where they carry it at both times, if one thing is said.
+/// Returns its images at both times, and requires one message.
 std::array<Vec3, 2> carried_with(const std::string& statements, const std::string& message) {
     const Frame frame = world_with(statements + " Shape \"sphere\"", message);
     const Shape& shape = frame.shapes.at(0);
@@ -53,7 +53,7 @@ TEST_CASE("a transformation acts before those that were stated earlier") {
                {12, 4, 6});
 }
 
-TEST_CASE("Transform and Identity replace what was there") {
+TEST_CASE("Transform and Identity replace the current transformation") {
     check_near(carried("Scale 9 9 9 Transform [1 0 0 0 0 1 0 0 0 0 1 0 5 0 0 1]"), {6, 2, 3});
     check_near(carried("Scale 9 9 9 Identity"), {1, 2, 3});
 }
@@ -69,7 +69,7 @@ TEST_CASE("brackets are read where pbrt-v3 refuses them and missed where it want
     check_near(carried_with("Transform 1 0 0 0 0 1 0 0 0 0 1 0 5 0 0 1", without)[0], {6, 2, 3});
 }
 
-TEST_CASE("what leads nowhere is left out") {
+TEST_CASE("a degenerate transformation is left out") {
     CHECK(carried_with("Rotate 30 0 0 0",
                        "a.pbrt:1:12: error: 'Rotate' is left out: its axis has no length")[0] ==
           Vec3(1, 2, 3));

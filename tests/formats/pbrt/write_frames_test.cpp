@@ -16,7 +16,7 @@ std::string written(const ParsedFile& file, const std::string& directory = "") {
     return text;
 }
 
-/// Checks that a text written anew is read as the same frames, without complaint.
+/// Checks that a text, read and written, is read as the same frames, without diagnostics.
 void check_round_trip(const std::string& text) {
     const ParsedFile file = parse_text(text);
     const std::string anew = written(file);

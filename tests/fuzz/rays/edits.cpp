@@ -7,8 +7,8 @@
 namespace etalon::fuzz {
 namespace {
 
-/// Returns whether a number is of a usual size: the bits of t are those of the scaled ray's as long
-/// as none of the products of many factors leaves the range of double.
+/// Returns whether a number is of a usual size. With such numbers no product in a kernel leaves the
+/// range of double, and a scaled ray has the same bits of t.
 bool is_usual(double x) {
     return x == 0 || (std::abs(x) > 0x1p-60 && std::abs(x) < 0x1p60);
 }
@@ -41,7 +41,7 @@ bool is_small_and_whole(const Vec3& v) {
     return is(v.x) && is(v.y) && is(v.z);
 }
 
-/// For scenes of whole numbers, or the sums would be rounded.
+/// Translates a scene of whole numbers. With other numbers the sums would be rounded.
 Edited moved(const Scene& scene, const std::vector<Ray>& rays, const std::vector<Hit>& hits,
              Random& random) {
     const Vec3 offset(random.index(2001) - 1000.0,
@@ -70,7 +70,7 @@ Edited permuted(const Scene& scene, const std::vector<Ray>& rays, const std::vec
     return e;
 }
 
-/// Cuts every triangle from its first corner to the middle of the opposite edge, which is exact.
+/// Cuts every triangle from its first vertex to the midpoint of the opposite edge, which is exact.
 Edited split(const Scene& scene, const std::vector<Ray>& rays, const std::vector<Hit>& hits) {
     Edited e{"with its triangles cut in two", scene, {}, {}};
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -113,7 +113,7 @@ bool is_as_expected(const Hit& hit, const Hit& expected, const Edited& e) {
 }  // namespace
 
 std::optional<Edited> edited(const Scene& scene, const std::vector<Ray>& rays,
-                             const std::vector<Hit>& hits, const NastyNumbers& numbers) {
+                             const std::vector<Hit>& hits, const AdversarialNumbers& numbers) {
     Random& random = numbers.random();
     const bool is_exact = numbers.palette() == Palette::whole;
     switch (random.index(4)) {

@@ -5,22 +5,22 @@
 #include <chrono>
 #include <iostream>
 
+#include "tests/fuzz/rays/adversarial_rays.h"
+#include "tests/fuzz/rays/adversarial_scene.h"
 #include "tests/fuzz/rays/edits.h"
-#include "tests/fuzz/rays/nasty_rays.h"
-#include "tests/fuzz/rays/nasty_scene.h"
 #include "tests/fuzz/rays/shrink.h"
 
 namespace etalon::fuzz {
 namespace {
 
-/// The oracle takes as long as all backends do: it sees every third scene.
+/// The oracle takes as long as all backends together, so it checks every third scene only.
 constexpr std::uint64_t scenes_for_oracle = 3;
 
 struct Plan {
     std::uint64_t seed = 1, first = 0;
     double rays = 1e5, seconds = infinity;
     std::size_t rays_of_scene = 256;
-    bool goes_on = false;
+    bool keep_going = false;
 };
 
 struct Counts {
@@ -36,9 +36,9 @@ void report(const Plan& plan, std::uint64_t number, const Shrunk& shrunk) {
 /// Tests one scene; returns whether there was no difference.
 bool test_scene(const Plan& plan, std::uint64_t number, Counts& counts) {
     Random random(plan.seed, number);
-    const NastyNumbers numbers(static_cast<Palette>(random.index(palettes)), random);
-    const Scene scene = nasty_scene(numbers);
-    const std::vector<Ray> rays = nasty_rays(scene, plan.rays_of_scene, numbers);
+    const AdversarialNumbers numbers(static_cast<Palette>(random.index(palettes)), random);
+    const Scene scene = adversarial_scene(numbers);
+    const std::vector<Ray> rays = adversarial_rays(scene, plan.rays_of_scene, numbers);
     const std::vector<Hit> hits = reference_hits(scene, rays);
     counts.rays += rays.size();
     ++counts.scenes;
@@ -70,7 +70,7 @@ Counts test_scenes(const Plan& plan) {
          static_cast<double>(counts.rays) < plan.rays && seconds() < plan.seconds; ++i) {
         if (test_scene(plan, i, counts)) continue;
         ++counts.differences;
-        if (!plan.goes_on) break;
+        if (!plan.keep_going) break;
     }
     return counts;
 }
@@ -82,7 +82,7 @@ int run(int argc, char** argv) {
     app.add_option("--scene", plan.first, "Number of the first scene");
     app.add_option("--rays", plan.rays, "Rays to test, in all");
     app.add_option("--seconds", plan.seconds, "Time limit");
-    app.add_flag("--keep-going", plan.goes_on, "Do not end at the first difference");
+    app.add_flag("--keep-going", plan.keep_going, "Do not end at the first difference");
     CLI11_PARSE(app, argc, argv);
     const Counts counts = test_scenes(plan);
     std::cout << "scenes " << counts.scenes << ", rays " << counts.rays << ", in edited scenes "

@@ -5,7 +5,7 @@
 namespace etalon::fuzz {
 namespace {
 
-/// Of a normal's largest component; others may be denormal.
+/// Least largest component of a normal; the other components may be denormal.
 constexpr double least_normal = 1e-150;
 
 constexpr std::array far_steps = {1.0, 0x1p-20, 1e-6, 0.1, 1e3};
@@ -19,13 +19,13 @@ double neighbour(double x, Random& random) {
 
 }  // namespace
 
-NastyNumbers::NastyNumbers(Palette palette, Random& random)
+AdversarialNumbers::AdversarialNumbers(Palette palette, Random& random)
     : palette_(palette),
       random_(random),
       offset_(random.magnitude(0, 12) * random.in_cube()),
       step_(far_steps[random.index(far_steps.size())]) {}
 
-double NastyNumbers::number(Palette palette) const {
+double AdversarialNumbers::number(Palette palette) const {
     switch (palette) {
         case Palette::whole:
             return whole();
@@ -47,12 +47,12 @@ double NastyNumbers::number(Palette palette) const {
     return number(static_cast<Palette>(random_.index(palettes - 1)));
 }
 
-Vec3 NastyNumbers::point() const {
+Vec3 AdversarialNumbers::point() const {
     const double x = coordinate(), y = coordinate(), z = coordinate();
     return {x, y, z};
 }
 
-Vec3 NastyNumbers::point_beside(const Vec3& other) const {
+Vec3 AdversarialNumbers::point_beside(const Vec3& other) const {
     Vec3 p = point();
     const std::uint32_t kept = random_.index(8);
     for (int k = 0; k < 3; ++k) {
@@ -61,12 +61,12 @@ Vec3 NastyNumbers::point_beside(const Vec3& other) const {
     return p;
 }
 
-double NastyNumbers::length() const {
+double AdversarialNumbers::length() const {
     const double x = palette_ == Palette::far ? step_ * whole() : coordinate();
     return x == 0 ? 1 : std::abs(x);
 }
 
-Vec3 NastyNumbers::direction() const {
+Vec3 AdversarialNumbers::direction() const {
     Vec3 d(whole(), whole(), whole());
     if (random_.one_in(3)) d[random_.axis()] = neighbour(d[random_.axis()], random_);
     if (random_.one_in(4)) d = random_.direction();

@@ -1,25 +1,26 @@
-// Numbers of which scenes and rays are made where kernels and boxes are likeliest to be wrong.
+// Coordinates for scenes and rays with which kernels and bounds are most likely to be wrong.
 #pragma once
 
 #include "core/numerics/random.h"
 
 namespace etalon::fuzz {
 
-/// The numbers of one scene. All scenes of all numbers would mostly be dust beside giants.
+/// The kind of numbers in one scene. If all kinds were mixed, most scenes would have tiny shapes
+/// beside huge ones.
 enum class Palette {
     whole,    ///< small whole numbers: ties, shared corners, rays along edges; sums are exact
     powers,   ///< 0 and powers of two of either sign
     beside,   ///< whole numbers and their neighbours among doubles
-    far,      ///< near one another, far from the origin
+    far,      ///< close together, far from the origin
     decimal,  ///< few digits, as in files
     wild,     ///< all of these, and 1e-20 and 1e20
 };
 inline constexpr std::size_t palettes = 6;
 
-/// A source of the numbers of a scene.
-class NastyNumbers {
+/// Generates the random numbers of one scene.
+class AdversarialNumbers {
   public:
-    NastyNumbers(Palette palette, Random& random);
+    AdversarialNumbers(Palette palette, Random& random);
 
     Palette palette() const { return palette_; }
     Random& random() const { return random_; }
@@ -27,13 +28,14 @@ class NastyNumbers {
     double coordinate() const { return number(palette_); }
     Vec3 point() const;
 
-    /// A point of which some coordinates are those of `other`.
+    /// Returns a point that shares some coordinates with `other`.
     Vec3 point_beside(const Vec3& other) const;
 
-    /// A length above 0.
+    /// Returns a length above 0.
     double length() const;
 
-    /// A direction with zeros and numbers that are equal or nearly so; of any length but 0.
+    /// Returns a direction, not normalised, whose components are often 0, equal or nearly equal. It
+    /// is never 0.
     Vec3 direction() const;
 
   private:

@@ -9,7 +9,7 @@
 namespace etalon::fuzz {
 namespace {
 
-/// Without the item; instances have the numbers after the primitives.
+/// Returns the scene without an item. Instances are numbered after the primitives.
 Scene without(const Scene& scene, std::uint32_t item) {
     Scene less = scene;
     Geometry& g = less.geometry;
@@ -23,7 +23,7 @@ Scene without(const Scene& scene, std::uint32_t item) {
     return less;
 }
 
-/// The same number with so many significant digits.
+/// Returns a number rounded to so many significant digits.
 double rounded(double x, int digits) {
     return std::strtod(fmt::format("{:.{}e}", x, digits - 1).c_str(), nullptr);
 }

@@ -2,11 +2,12 @@
 
 #include <functional>
 
-#include "tests/fuzz/rays/judge.h"
+#include "tests/fuzz/rays/compare_backends.h"
 
 namespace etalon::fuzz {
 
-/// A scene of as few primitives and a ray of as few digits as still show a difference.
+/// A minimised finding: as few primitives and as few digits of the ray as still show the
+/// difference.
 struct Shrunk {
     Scene scene;
     Finding finding;
@@ -16,7 +17,7 @@ using FindDifference = std::function<std::optional<Finding>(const Scene&, const 
 
 Shrunk shrunk(Scene scene, Finding finding, const FindDifference& find);
 
-/// The scene as P3F, as far as that says it, and the ray as `etalon trace` reads it.
+/// Returns the scene as P3F, as far as the format allows, and the ray as `etalon trace` reads it.
 std::string to_text(const Shrunk& shrunk);
 
 }  // namespace etalon::fuzz

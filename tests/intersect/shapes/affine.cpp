@@ -3,7 +3,7 @@
 namespace etalon {
 namespace {
 
-/// The targets of `unit` in the frame of its image.
+/// The targets of the unit shape, transformed to its image.
 template <class Shape>
 ShapeCase affine(const std::string& name, const Affine& map, const ShapeCase& unit) {
     const Shape shape(map);
@@ -34,7 +34,7 @@ ShapeCase closed_cylinder(const std::string& name, const Affine& map) {
     return affine<ClosedCylinder>("closed cylinder, " + name, map, unit);
 }
 
-/// An affine map of every kind: stretched, sheared, mirrored, ill-conditioned, far away.
+/// Affine maps of every kind: stretching, shearing, mirroring, ill-conditioned, far away.
 struct NamedMap {
     std::string name;
     Affine map;

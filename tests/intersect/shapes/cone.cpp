@@ -25,8 +25,8 @@ ShapeCase cone_case(const std::string& name, const Cone& shape) {
                              return on_circle(end, random.uniform(0, 2 * pi));
                          }});
     c.targets.push_back({"silhouette", [=](Random& random, const Vec3& from) {
-                             // Where the normal, outward - (spread / length) axis, is across the
-                             // line of sight: outward . f = r + spread (f . h) / length^2.
+                             // Where the normal, outward - (spread / length) axis, is perpendicular
+                             // to the line of sight: outward . f = r + spread (f . h) / length^2.
                              Vec3 u, v;
                              orthonormal_basis(h / length, u, v);
                              const double s = random.uniform();

@@ -3,7 +3,7 @@
 namespace etalon {
 namespace {
 
-/// A straight curve of a small width, as a ray that leaves a bent one may meet it again.
+/// A straight, narrow curve: a ray that leaves a bent one may hit it again.
 ShapeCase curve(const std::string& name, CurveType type, const Affine& map) {
     BezierCurve c{};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -16,7 +16,8 @@ ShapeCase curve(const std::string& name, CurveType type, const Affine& map) {
     ShapeCase s{name, {}, map.origin, 1.25 * (map.x.length() + map.y.length() + map.z.length()),
                 true, {}, {}};
     s.scene.geometry.add(Curve(c, map), 0);
-    // Across the curve at x of its whole length, by `across` of half its width, for an eye at from.
+    // A point at fraction x of the curve's length, displaced by `across` times half its width,
+    // perpendicular to the view from `from`.
     const auto at = [map](const Vec3& from, double x, double across) {
         const Vec3 centre = map.point({2 * x - 1, x - 0.5, 0.25 - x});
         const Vec3 side = map.vector({2, 1, -1}).cross(centre - from);

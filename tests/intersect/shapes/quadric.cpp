@@ -29,12 +29,12 @@ constexpr Coefficients upright(double a, double e, double h, double i, double j)
 
 constexpr Coefficients sphere_form = upright(1, 1, 1, 0, -1);
 
-/// |p - at|^2 = 1 for p seen from where it is not.
+/// |p - at|^2 = 1 in coordinates about another point than `at`.
 constexpr Coefficients sphere_seen_from_afar(double x, double y, double z) {
     return {1, 0, 0, -x, 1, 0, -y, 1, -z, x * x + y * y + z * z - 1};
 }
 
-/// Ellipsoid along the odd frame's axes.
+/// An ellipsoid along the axes of the generic frame.
 ShapeCase ellipsoid(const std::string& name, const Vec3& centre, const Vec3& radii) {
     const std::array<Vec3, 3> axes = {tilted(1, 0, 0), tilted(0, 1, 0), tilted(0, 0, 1)};
     Coefficients c{};

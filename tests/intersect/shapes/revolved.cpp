@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// The targets are in the frame of its image.
+/// The targets are in the coordinates of the image.
 ShapeCase revolved(const std::string& name, const Revolved& s) {
     const Affine& map = s.to_world;
     const double reach = std::max({1.0, std::abs(s.profile.low), std::abs(s.profile.high)});
@@ -44,7 +44,7 @@ ShapeCase revolved(const std::string& name, const Revolved& s) {
 
 }  // namespace
 
-/// Each kind of curve, whole and cut, under maps of all kinds.
+/// Each kind of profile, whole and partial, under maps of all kinds.
 std::vector<ShapeCase> revolved_cases() {
     const Affine askew = rotation(), shear{{1, 0, 0}, {0.5, 1, 0}, {-2, 3, 1}};
     const Affine turned{{0.6, 0.8, 0}, {-0.8, 0.6, 0}, {0, 0, 1}};

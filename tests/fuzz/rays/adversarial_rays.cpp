@@ -1,16 +1,16 @@
-#include "tests/fuzz/rays/nasty_rays.h"
+#include "tests/fuzz/rays/adversarial_rays.h"
 
 #include "core/test_rays/targets.h"
 
 namespace etalon::fuzz {
 namespace {
 
-constexpr double finest = -15.5;  // of how far a silhouette is missed
+constexpr double finest = -15.5;  // log10 of the smallest relative distance to a silhouette
 
-/// Makes rays of one time, as targets on what moves are.
+/// Makes rays of one time, since targets on moving instances depend on it.
 class RayMaker {
   public:
-    RayMaker(const Scene& scene, const NastyNumbers& numbers)
+    RayMaker(const Scene& scene, const AdversarialNumbers& numbers)
         : numbers_(numbers),
           random_(numbers.random()),
           time_(random_.one_in(4) ? 0 : random_.index(std::size_t{1} << shutter_time_bits)),
@@ -55,7 +55,7 @@ class RayMaker {
         return feature();
     }
 
-    /// A corner, a point of a line between two, or any point.
+    /// Returns a vertex, a point of the line between two vertices, or any point.
     Vec3 feature() {
         if (vertices_.empty() || random_.one_in(6)) return numbers_.point();
         const Vec3 a = vertex();
@@ -86,7 +86,7 @@ class RayMaker {
 
     const Vec3& vertex() { return vertices_[random_.index(vertices_.size())]; }
 
-    const NastyNumbers& numbers_;
+    const AdversarialNumbers& numbers_;
     Random& random_;
     ShutterTime time_;
     std::vector<Target> targets_;
@@ -95,7 +95,8 @@ class RayMaker {
 
 }  // namespace
 
-std::vector<Ray> nasty_rays(const Scene& scene, std::size_t count, const NastyNumbers& numbers) {
+std::vector<Ray> adversarial_rays(const Scene& scene, std::size_t count,
+                                  const AdversarialNumbers& numbers) {
     std::vector<Ray> rays;
     while (rays.size() < count) {
         RayMaker maker(scene, numbers);

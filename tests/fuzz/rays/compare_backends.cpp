@@ -1,4 +1,4 @@
-#include "tests/fuzz/rays/judge.h"
+#include "tests/fuzz/rays/compare_backends.h"
 
 #include <fmt/format.h>
 
@@ -65,7 +65,7 @@ std::optional<Finding> compare(const Backend& backend, const Intersector& inters
     return std::nullopt;
 }
 
-/// What is wrong with a hit that the oracle has decided; empty if nothing is.
+/// Returns what is wrong with a hit that the oracle has decided; empty if it is right.
 std::string error_of(const Hit& hit, const OracleAnswer& truth) {
     const bool is_hit = truth.kind == OracleAnswer::hit;
     if (found(hit) != is_hit) return "hit or miss";

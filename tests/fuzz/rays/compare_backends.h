@@ -1,4 +1,4 @@
-// Answers to rays, and what is wrong with them.
+// Comparison of the exact backends with one another and with the oracle.
 #pragma once
 
 #include <optional>
@@ -12,23 +12,23 @@ namespace etalon::fuzz {
 
 struct Finding {
     Ray ray;
-    std::string text;  ///< who says what
+    std::string text;  ///< what each side found
 };
 
 /// Returns the hits that the reference backend finds; no_index for none.
 std::vector<Hit> reference_hits(const Scene& scene, const std::vector<Ray>& rays);
 
-/// Returns the first ray to which an exact backend, asked in a batch or, every fourth, alone, gives
-/// other bits than the reference, or an occlusion that contradicts its hit.
+/// Returns the first ray for which an exact backend finds other bits than the reference, or an
+/// occlusion that contradicts the hit. Rays are traced in a batch, and every fourth also alone.
 std::optional<Finding> find_disparity(const Scene& scene, const std::vector<Ray>& rays,
                                       const std::vector<Hit>& reference);
 
-/// Returns the first ray of which the oracle says otherwise, within what docs/accuracy.md promises.
-/// Adds the number of rays that it cannot decide.
+/// Returns the first ray whose hit differs from the oracle's by more than docs/accuracy.md allows.
+/// Adds the number of rays that the oracle cannot decide to `undecided`.
 std::optional<Finding> find_error(const Scene& scene, const std::vector<Ray>& rays,
                                   const std::vector<Hit>& reference, std::uint64_t& undecided);
 
-/// Returns the first difference of either kind, asking for the hits anew.
+/// Traces the rays and returns the first difference of either kind.
 std::optional<Finding> find_difference(const Scene& scene, const std::vector<Ray>& rays);
 
 std::string to_string(const Hit& hit);

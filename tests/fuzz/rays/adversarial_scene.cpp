@@ -1,4 +1,4 @@
-#include "tests/fuzz/rays/nasty_scene.h"
+#include "tests/fuzz/rays/adversarial_scene.h"
 
 #include <array>
 
@@ -8,10 +8,10 @@
 namespace etalon::fuzz {
 namespace {
 
-/// Adds primitives to a geometry, one beside the other.
+/// Adds primitives to a geometry, each sharing coordinates with the last one.
 class Maker {
   public:
-    Maker(const NastyNumbers& numbers, Geometry& geometry)
+    Maker(const AdversarialNumbers& numbers, Geometry& geometry)
         : numbers_(numbers),
           random_(numbers.random()),
           geometry_(geometry),
@@ -68,7 +68,7 @@ class Maker {
         }
     }
 
-    /// A place that shares coordinates with the last one.
+    /// Returns a point that shares coordinates with the last one.
     Vec3 place() { return last_ = numbers_.point_beside(last_); }
 
     Triangle triangle(const Vec3& p) {
@@ -81,7 +81,7 @@ class Maker {
         return Triangle{{a, b, c}};
     }
 
-    /// Flat, as far as numbers allow, convex or not.
+    /// Returns the corners of a polygon, planar up to rounding, convex or not.
     std::vector<Vec3> corners(const Vec3& p) {
         const Vec3 u = place() - p, v = place() - p;
         std::vector<Vec3> list = {p, p + u, p + u + v, p + v};
@@ -121,7 +121,7 @@ class Maker {
     Sector sector() { return Sector(random_.one_in(2) ? 360 : 30.0 * (random_.index(12) + 1)); }
 
   public:
-    /// Stretched, sheared, turned or mirrored.
+    /// Returns a map that stretches, shears, rotates or mirrors.
     Affine map(const Vec3& origin) {
         const auto axis = [&](int k) {
             Vec3 a(0);
@@ -144,20 +144,20 @@ class Maker {
     }
 
   private:
-    const NastyNumbers& numbers_;
+    const AdversarialNumbers& numbers_;
     Random& random_;
     Geometry& geometry_;
     Vec3 last_;
 };
 
-void add_primitives(const NastyNumbers& numbers, Geometry& geometry) {
+void add_primitives(const AdversarialNumbers& numbers, Geometry& geometry) {
     Maker maker(numbers, geometry);
     for (std::uint32_t i = numbers.random().index(6) + 1; i > 0; --i) maker.add_any();
 }
 
 }  // namespace
 
-Scene nasty_scene(const NastyNumbers& numbers) {
+Scene adversarial_scene(const AdversarialNumbers& numbers) {
     Random& random = numbers.random();
     Scene scene;
     add_primitives(numbers, scene.geometry);

@@ -1,0 +1,143 @@
+#include "core/formats/write/pbrt_shape_writer.h"
+
+#include <cmath>
+#include <vector>
+
+#include "core/formats/triangulation.h"
+#include "core/formats/write/pbrt_shapes.h"
+#include "core/numerics/transforms.h"
+
+namespace etalon {
+
+double distance_to_view_plane(const Camera& camera) {
+    const Vec3 view = camera.at - camera.eye;
+    return std::sqrt(view.dot(view));
+}
+
+void PbrtShapeWriter::primitive(const Geometry& geometry, const Primitive& p) {
+    with_shape(p.kind, [&]<class Shape>() { write(geometry.get<Shape>(p)); });
+}
+
+void PbrtShapeWriter::mesh(std::span<const Vec3> vertices, std::span<const Vec3> normals,
+                           std::span<const std::array<std::uint32_t, 3>> faces) {
+    out_.line("Shape \"trianglemesh\" \"integer indices\" [");
+    for (const auto& [a, b, c] : faces) out_.line("{} {} {}", a, b, c);
+    out_.line("] \"point P\" [");
+    for (const Vec3& v : vertices) out_.line("{}", v);
+    if (!normals.empty()) out_.line("] \"normal N\" [");
+    for (const Vec3& n : normals) out_.line("{}", n);
+    out_.line("]");
+}
+
+/// PBRT's matrices are column by column.
+void PbrtShapeWriter::placed(const Affine& to_world, std::string_view statement) {
+    const auto& [x, y, z, origin] = to_world;
+    out_.line("TransformBegin\nTransform [ {} 0  {} 0  {} 0  {} 1 ]", x, y, z, origin);
+    out_.line("{}", statement);
+    out_.line("TransformEnd");
+}
+
+void PbrtShapeWriter::write(const Sphere& s) {
+    Affine place;
+    place.origin = s.centre;
+    placed(place, fmt::format("Shape \"sphere\" \"float radius\" [ {} ]", s.radius));
+}
+
+void PbrtShapeWriter::write(const Ellipsoid& e) {
+    placed(e.to_world, "Shape \"sphere\" \"float radius\" [ 1 ]");
+}
+
+void PbrtShapeWriter::write(const ClosedCylinder& c) {
+    placed(c.to_world,
+           "Shape \"cylinder\" \"float radius\" [ 1 ] \"float zmin\" [ 0 ] \"float zmax\" "
+           "[ 1 ]\nShape \"disk\" \"float height\" [ 0 ] \"float radius\" [ 1 ]\n"
+           "Shape \"disk\" \"float height\" [ 1 ] \"float radius\" [ 1 ]");
+}
+
+void PbrtShapeWriter::write(const Ring& r) {
+    placed(about_axis(r.centre, r.normal),
+           fmt::format("Shape \"disk\" \"float radius\" [ {} ] \"float innerradius\" [ {} ]",
+                       r.outer, r.inner));
+}
+
+void PbrtShapeWriter::write(const Quadric&) {
+    lost_.add("quadric, left out");
+}
+
+void PbrtShapeWriter::write(const Revolved& s) {
+    if (const std::optional<PbrtShape> shape = to_pbrt(s)) {
+        placed(shape->to_world, shape->statement);
+    } else {
+        lost_.add("surface of revolution of no shape that PBRT has, left out");
+    }
+}
+
+/// Writes a curve with the first of its parts.
+void PbrtShapeWriter::write(const StoredCurve& c) {
+    if (c.part.number > 0) return;
+    const PbrtShape shape = to_pbrt(c);
+    placed(shape.to_world, shape.statement);
+}
+
+void PbrtShapeWriter::write(const Cone& c) {
+    const Vec3 axis = c.top - c.base;
+    const double height = std::sqrt(axis.dot(axis));
+    const Affine map = about_axis(c.base, axis);
+    if (c.base_radius == c.top_radius) {
+        placed(map, fmt::format("Shape \"cylinder\" \"float radius\" [ {} ] \"float zmin\" [ 0 ] "
+                                "\"float zmax\" [ {} ]",
+                                c.base_radius, height));
+    } else if (c.top_radius == 0) {
+        placed(map, fmt::format("Shape \"cone\" \"float radius\" [ {} ] \"float height\" [ {} ]",
+                                c.base_radius, height));
+    } else if (c.base_radius == 0) {
+        write(Cone{c.top, c.base, c.top_radius, 0});
+    } else {
+        placed(map, fmt::format("Shape \"hyperboloid\" \"point p1\" [ {} 0 0 ] "
+                                "\"point p2\" [ {} 0 {} ]",
+                                c.base_radius, c.top_radius, height));
+    }
+}
+
+void PbrtShapeWriter::write(const Box& b) {
+    std::vector<Vec3> corners;
+    corners.reserve(8);
+    for (int i = 0; i < 8; ++i) {
+        corners.emplace_back((i & 1) != 0 ? b.max.x : b.min.x, (i & 2) != 0 ? b.max.y : b.min.y,
+                             (i & 4) != 0 ? b.max.z : b.min.z);
+    }
+    static constexpr std::array<std::array<std::uint32_t, 3>, 12> faces = {{{0, 2, 3},
+                                                                            {0, 3, 1},
+                                                                            {4, 5, 7},
+                                                                            {4, 7, 6},
+                                                                            {0, 1, 5},
+                                                                            {0, 5, 4},
+                                                                            {2, 6, 7},
+                                                                            {2, 7, 3},
+                                                                            {0, 4, 6},
+                                                                            {0, 6, 2},
+                                                                            {1, 3, 7},
+                                                                            {1, 7, 5}}};
+    mesh(corners, {}, faces);
+}
+
+void PbrtShapeWriter::write(const Polygon& p) {
+    mesh(p.corners, p.normals, triangulate(p.corners));
+}
+
+/// Writes a square about the point nearest to the eye, as large as a thousand times all distances
+/// of the camera.
+void PbrtShapeWriter::write(const Plane& p) {
+    lost_.add("infinite plane, now a large square");
+    const Vec3 normal = normalized(p.normal);
+    const double away = normal.dot(camera_.eye - p.point);
+    const double side = 1000 * (distance_to_view_plane(camera_) + std::abs(away));
+    Affine map;
+    orthonormal_basis(normal, map.x, map.y);
+    const Vec3 centre = camera_.eye - away * normal, x = side * map.x, y = side * map.y;
+    const std::array corners = {centre - x - y, centre + x - y, centre + x + y, centre - x + y};
+    static constexpr std::array<std::array<std::uint32_t, 3>, 2> faces = {{{0, 1, 2}, {0, 2, 3}}};
+    mesh(corners, {}, faces);
+}
+
+}  // namespace etalon
