@@ -29,7 +29,7 @@ std::array<Vec3, 2> carried_with(const std::string& statements, const std::strin
 
 TEST_CASE("the current transformation is the identity at first") {
     const Frame frame = good_world("Shape \"sphere\"");
-    CHECK(frame.transforms == std::vector{Matrix4{}});
+    CHECK(frame.transforms == std::deque{Matrix4{}});
     CHECK(frame.shapes.at(0).to_world == TransformPair{0, 0});
 }
 
