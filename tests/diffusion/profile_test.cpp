@@ -75,7 +75,8 @@ TEST_CASE("Distances are drawn with the density that is said of them", "[diffusi
                         const double dr = 12 * reach * t * t / steps;
                         sum += 2 * std::numbers::pi * r * dr * p.density(c, static_cast<float>(r));
                         edge = r;
-                        if (sum >= (static_cast<double>(edges.size()) + 1) / bins) edges.push_back(edge);
+                        if (sum >= (static_cast<double>(edges.size()) + 1) / bins)
+                            edges.push_back(edge);
                     }
                     edges.resize(bins - 1, edge);
                     std::vector<int> counts(bins);

@@ -235,7 +235,8 @@ TEST_CASE("another name of a parameter is used where the first is not given") {
 
 TEST_CASE("a strict reader has errors in place of warnings") {
     const ParsedFile file =
-        parse_text("Camera \"perspective\" \"float fow\" 30 WorldBegin WorldEnd", {.strict = true, .root = {}});
+        parse_text("Camera \"perspective\" \"float fow\" 30 WorldBegin WorldEnd",
+                   {.strict = true, .root = {}});
     REQUIRE(file.diagnostics.size() == 1);
     CHECK(file.diagnostics[0].severity == Severity::error);
     CHECK_FALSE(file.is_fatal);
