@@ -1,5 +1,6 @@
 #include "core/oracle/define.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/oracle/mapped_ray.h"
@@ -40,10 +41,20 @@ Stretch where_between(const Tracked& start, const Tracked& rise, const Tracked& 
     return {high, low, Certainty::yes};
 }
 
+/// Returns the greater of two numbers. Where their bounds overlap, it has those of either.
+Tracked greater(const Tracked& a, const Tracked& b) {
+    if ((a < b) == Certainty::yes) return b;
+    if ((b < a) == Certainty::yes) return a;
+    const Quad low = std::max(a.value - a.error, b.value - b.error);
+    const Quad high = std::max(a.value + a.error, b.value + b.error);
+    if (!(high - low < Quad(infinity))) return {0, Quad(infinity)};
+    const Quad rounding = 2 * std::max(magnitude(low), magnitude(high)) * quad_roundoff;
+    return detail::bounded((low + high) / 2, (high - low) / 2 + rounding);
+}
+
 Stretch both(const Stretch& a, const Stretch& b) {
-    const Tracked& entry = (a.entry < b.entry) == Certainty::yes ? b.entry : a.entry;
-    const Tracked& exit = (b.exit < a.exit) == Certainty::yes ? b.exit : a.exit;
-    return {entry, exit, a.exists & b.exists & !(a.exit < b.entry) & !(b.exit < a.entry)};
+    return {greater(a.entry, b.entry), -greater(-a.exit, -b.exit),
+            a.exists & b.exists & !(a.exit < b.entry) & !(b.exit < a.entry)};
 }
 
 }  // namespace
