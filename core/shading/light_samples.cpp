@@ -32,8 +32,8 @@ LightSamples::LightSamples(const Light& light, int samples_per_pixel) : light_(l
 
 Vec3 LightSamples::position(int k) const {
     if (const auto* point = std::get_if<PointLight>(&light_)) return point->position;
-    return position(
-        Vec2((k % columns_ + 0.5) / columns_, (k / columns_ + 0.5) / (count_ / columns_)));
+    const int rows = count_ / columns_, column = k % columns_, row = k / columns_;
+    return position(Vec2((column + 0.5) / columns_, (row + 0.5) / rows));
 }
 
 Vec3 LightSamples::position(const Vec2& uv) const {
