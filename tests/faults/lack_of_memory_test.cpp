@@ -3,6 +3,7 @@
 #include <memory>
 #include <new>
 
+#include "core/base/copyable_variant.h"
 #include "core/formats/load.h"
 #include "core/parallel/parallel.h"
 #include "core/shading/textured_cut_outs.h"
@@ -78,4 +79,21 @@ TEST_CASE("Every call of operator new that fails loses nothing", "[faults]") {
         CHECK(result.pixels == expected);
         CHECK(call > 100);
     }
+}
+
+TEST_CASE("A variant of lists that cannot be copied is not destroyed", "[faults]") {
+    using Lists = CopyableVariant<std::vector<float>, std::vector<std::string>>;
+    const std::vector<Lists> original = {std::vector<float>{1, 2},
+                                         std::vector<std::string>{"longer than a short string"}};
+    const auto is_copied = [&](std::uint32_t failing_call) {
+        const LimitedMemory memory(failing_call);
+        try {
+            return std::vector<Lists>(original) == original;
+        } catch (const std::bad_alloc&) {
+            return false;
+        }
+    };
+    std::uint32_t call = 1;
+    while (!is_copied(call)) ++call;
+    CHECK(call == 5);  // the vector, two lists, a string
 }

@@ -2,9 +2,9 @@
 
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "core/base/copyable_variant.h"
 #include "core/formats/pbrt/place.h"
 #include "core/formats/pbrt/plugin_type.h"
 
@@ -16,7 +16,8 @@ struct GivenParameter {
     ValueType type;           ///< never `file`
     bool is_texture = false;  ///< the value is a texture's name
     bool is_used = false;
-    std::variant<std::vector<float>, std::vector<std::int32_t>, std::vector<std::string>> values{};
+    CopyableVariant<std::vector<float>, std::vector<std::int32_t>, std::vector<std::string>>
+        values{};
     Place where{};
     Place not_finite{};  ///< place of the first infinite number or NaN; line 0 if all are finite
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "core/base/copyable_variant.h"
 #include "core/formats/pbrt/place.h"
 #include "core/formats/pbrt/plugin_type.h"
 #include "core/numerics/vec.h"
@@ -22,8 +22,8 @@ struct TextureNumber {
 
 /// Values of a parameter: numbers of every type but integer (points as x y z, colours as r g b),
 /// integers and flags (0 or 1), strings, or a texture instead.
-using Values = std::variant<std::vector<float>, std::vector<std::int32_t>, std::vector<std::string>,
-                            TextureNumber>;
+using Values = CopyableVariant<std::vector<float>, std::vector<std::int32_t>,
+                               std::vector<std::string>, TextureNumber>;
 
 struct Argument {
     const ParameterSpec* spec;
