@@ -56,6 +56,9 @@ TEST_CASE("a camera that cannot see is an error at the line that makes it so") {
     CHECK(error("eyedir 0 1 0\n") == "a.sce:1:1: error: 'eyeup' is along 'eyedir'" + end);
     CHECK(error("eyeup 0 0 -3\n") == "a.sce:1:1: error: 'eyeup' is along 'eyedir'" + end);
     CHECK(error("eyeup 0 0 0\n") == "a.sce:1:1: error: 'eyeup' is along 'eyedir'" + end);
+    // The point looked at keeps no digit of the direction but that along eyeup.
+    CHECK(error("eyedir 0 1e38 -1\neyepos 0 0 5\n") ==
+          "a.sce:1:1: error: 'eyeup' is along 'eyedir'" + end);
 }
 
 TEST_CASE("a point light is moved by the matrix, its colour is not") {

@@ -81,13 +81,14 @@ void finalize_camera(Loader& loader) {
     const Vec3 direction = to_unit_magnitude(loader.view.direction);
     const double distance = 1 / power_of_two_reciprocal(max_abs(camera.eye));
     camera.at = camera.eye + distance * direction;
+    const Vec3 view = to_unit_magnitude(camera.at - camera.eye);  // has lost digits to the eye's
     const char* const nothing = "so nothing can be rendered";
     if (direction == Vec3(0)) {
         loader.log.error(loader.view.offset, "camera", "'eyedir' is zero, {}", nothing);
-    } else if (to_unit_magnitude(camera.up).cross(direction) == Vec3(0)) {
-        loader.log.error(loader.view.offset, "camera", "'eyeup' is along 'eyedir', {}", nothing);
     } else if (!is_finite(camera.at)) {
         loader.log.error(loader.view.offset, "camera", "the eye is not finite, {}", nothing);
+    } else if (to_unit_magnitude(camera.up).cross(view) == Vec3(0)) {
+        loader.log.error(loader.view.offset, "camera", "'eyeup' is along 'eyedir', {}", nothing);
     }
 }
 
