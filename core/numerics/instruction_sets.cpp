@@ -8,9 +8,7 @@
 #include <hwy/targets.h>
 
 #include <atomic>
-#include <cstdarg>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 
 #if HWY_ARCH_X86
@@ -88,13 +86,8 @@ ChosenTarget& GetChosenTarget() {
     return chosen;
 }
 
-void Abort(const char* file, int line, const char* format, ...) {
-    std::fprintf(stderr, "%s:%d: ", file, line);
-    std::va_list values;
-    va_start(values, format);
-    std::vfprintf(stderr, format, values);
-    va_end(values);
-    std::fputc('\n', stderr);
+/// Says nothing: the sanitizers, in whose builds alone it is called, report where a program aborts.
+void Abort(const char*, int, const char*, ...) {
     std::abort();
 }
 
