@@ -21,7 +21,8 @@ class UniformPasses : public SamplingPasses {
                   SampleRates rates = {}, std::uint64_t least = 0)
         : samples_(samples),
           samples_of_one_(rates.empty() ? pixels : std::reduce(rates.begin(), rates.end(), 0ULL)),
-          least_of_one_(std::min<std::uint64_t>(least / samples_of_one_, samples)),
+          least_of_one_(std::min<std::uint64_t>(least / std::max<std::uint64_t>(samples_of_one_, 1),
+                                                samples)),
           rates_(std::move(rates)),
           deadline_(deadline) {}
 

@@ -242,6 +242,8 @@ TEST_CASE("Passes of few samples are made larger, but for the first", "[passes]"
     CHECK(goals(64, 10) == std::vector<std::uint32_t>{1, 64});
     CHECK(goals(1, 10) == std::vector<std::uint32_t>{1});
     CHECK(goals(64, 100, SampleRates(100, 2)) == std::vector<std::uint32_t>{1, 6, 12, 24, 48, 64});
+    // Rates may be a damaged file's.
+    CHECK(goals(64, 100, SampleRates(100, 0)) == std::vector<std::uint32_t>{1, 64});
 }
 
 TEST_CASE("Pixels do not depend on how many passes there are", "[passes]") {
