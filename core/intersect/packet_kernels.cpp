@@ -34,13 +34,12 @@ HWY_NOINLINE Doubles decide(const Geometry& geometry, std::uint32_t primitive, c
     return hn::Load(DoubleTag(), ts);
 }
 
-/// Offers `hits` to the rays from number `first` on: see NearestHit. Returns whether any was hit.
+/// Offers `hits` to those rays from number `first` on that are tested: see NearestHit. Returns
+/// whether any was hit.
 HWY_INLINE bool offer_lanes(const Geometry& geometry, std::uint32_t primitive, HitLanes hits,
-                            RayPacket& packet, std::size_t first) {
+                            DoubleMask is_tested, RayPacket& packet, std::size_t first) {
     const DoubleTag tag;
     const Doubles number = broadcast(primitive);
-    const DoubleMask is_excluded = hn::LoadU(tag, &packet.excludes[first]) == number;
-    const DoubleMask is_tested = hn::AndNot(is_excluded, hn::FirstN(tag, packet.count - first));
     hits.uncertain = hn::And(is_tested, hits.uncertain);
     if (HWY_UNLIKELY(!hn::AllFalse(tag, hits.uncertain))) {
         hits.t = decide(geometry, primitive, hits, packet, first);
@@ -56,13 +55,20 @@ HWY_INLINE bool offer_lanes(const Geometry& geometry, std::uint32_t primitive, H
     return true;
 }
 
-/// Offers a primitive whose hits first_hits(rays) returns.
+/// Offers a primitive whose hits first_hits(rays) returns. Rays that exclude it, such as those that
+/// leave it, are mostly neighbours.
 template <class FirstHits>
 HWY_INLINE bool offer(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet,
                       const FirstHits& first_hits) {
+    const DoubleTag tag;
+    const Doubles number = broadcast(primitive);
     bool any = false;
-    for (std::size_t i = 0; i < packet.count; i += hn::Lanes(DoubleTag())) {
-        any |= offer_lanes(geometry, primitive, first_hits(RayLanes(packet, i)), packet, i);
+    for (std::size_t i = 0; i < packet.count; i += hn::Lanes(tag)) {
+        const DoubleMask is_excluded = hn::LoadU(tag, &packet.excludes[i]) == number;
+        const DoubleMask is_tested = hn::AndNot(is_excluded, hn::FirstN(tag, packet.count - i));
+        if (hn::AllFalse(tag, is_tested)) continue;
+        const HitLanes hits = first_hits(RayLanes(packet, i));
+        any |= offer_lanes(geometry, primitive, hits, is_tested, packet, i);
     }
     return any;
 }
@@ -116,6 +122,7 @@ namespace {
 bool offer_one_by_one(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
     bool any = false;
     for (std::size_t i = 0; i < packet.count; ++i) {
+        if (packet.excludes[i] == primitive) continue;
         const Hit before = packet.hit(i);
         NearestHit nearest(before.t);
         nearest.item = before.primitive;
