@@ -14,6 +14,7 @@
 
 #include "core/intersect/shapes/box_lanes-inl.h"
 #include "core/intersect/shapes/plane_lanes-inl.h"
+#include "core/intersect/shapes/polygon_lanes-inl.h"
 #include "core/intersect/shapes/sphere_lanes-inl.h"
 #include "core/intersect/shapes/triangle_lanes-inl.h"
 
@@ -105,6 +106,9 @@ bool offer_box(const Geometry& geometry, std::uint32_t primitive, RayPacket& pac
 bool offer_plane(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
     return offer_shape<Plane>(geometry, primitive, packet);
 }
+bool offer_polygon(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
+    return offer_shape<Polygon>(geometry, primitive, packet);
+}
 
 }  // namespace etalon::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -116,6 +120,7 @@ HWY_EXPORT(offer_triangle);
 HWY_EXPORT(offer_sphere);
 HWY_EXPORT(offer_box);
 HWY_EXPORT(offer_plane);
+HWY_EXPORT(offer_polygon);
 
 namespace {
 
@@ -137,15 +142,16 @@ bool offer_one_by_one(const Geometry& geometry, std::uint32_t primitive, RayPack
 
 }  // namespace
 
-bool has_packet_kernel(const Primitive& p) {
-    return p.sides != Sides::cut_out &&
-           (p.kind == kind_of<Triangle>() || p.kind == kind_of<Sphere>() ||
-            p.kind == kind_of<Box>() || p.kind == kind_of<Plane>());
+bool has_packet_kernel(const Geometry& geometry, const Primitive& p) {
+    if (p.sides == Sides::cut_out) return false;
+    if (p.kind == kind_of<Polygon>()) return geometry.get<Polygon>(p).columns.edges != 0;
+    return p.kind == kind_of<Triangle>() || p.kind == kind_of<Sphere>() ||
+           p.kind == kind_of<Box>() || p.kind == kind_of<Plane>();
 }
 
 bool offer_to_packet(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
     const Primitive p = geometry.primitives[primitive];
-    if (!has_packet_kernel(p)) return offer_one_by_one(geometry, primitive, packet);
+    if (!has_packet_kernel(geometry, p)) return offer_one_by_one(geometry, primitive, packet);
     switch (p.kind) {
         case kind_of<Triangle>():
             return HWY_DYNAMIC_DISPATCH(offer_triangle)(geometry, primitive, packet);
@@ -153,6 +159,8 @@ bool offer_to_packet(const Geometry& geometry, std::uint32_t primitive, RayPacke
             return HWY_DYNAMIC_DISPATCH(offer_sphere)(geometry, primitive, packet);
         case kind_of<Box>():
             return HWY_DYNAMIC_DISPATCH(offer_box)(geometry, primitive, packet);
+        case kind_of<Polygon>():
+            return HWY_DYNAMIC_DISPATCH(offer_polygon)(geometry, primitive, packet);
         default:
             return HWY_DYNAMIC_DISPATCH(offer_plane)(geometry, primitive, packet);
     }
