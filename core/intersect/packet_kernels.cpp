@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "core/intersect/shapes/box_lanes-inl.h"
+#include "core/intersect/shapes/cone_lanes-inl.h"
 #include "core/intersect/shapes/plane_lanes-inl.h"
 #include "core/intersect/shapes/polygon_lanes-inl.h"
 #include "core/intersect/shapes/sphere_lanes-inl.h"
@@ -106,6 +107,9 @@ bool offer_box(const Geometry& geometry, std::uint32_t primitive, RayPacket& pac
 bool offer_plane(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
     return offer_shape<Plane>(geometry, primitive, packet);
 }
+bool offer_cone(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
+    return offer_shape<Cone>(geometry, primitive, packet);
+}
 bool offer_polygon(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
     return offer_shape<Polygon>(geometry, primitive, packet);
 }
@@ -120,6 +124,7 @@ HWY_EXPORT(offer_triangle);
 HWY_EXPORT(offer_sphere);
 HWY_EXPORT(offer_box);
 HWY_EXPORT(offer_plane);
+HWY_EXPORT(offer_cone);
 HWY_EXPORT(offer_polygon);
 
 namespace {
@@ -146,7 +151,7 @@ bool has_packet_kernel(const Geometry& geometry, const Primitive& p) {
     if (p.sides == Sides::cut_out) return false;
     if (p.kind == kind_of<Polygon>()) return geometry.get<Polygon>(p).columns.edges != 0;
     return p.kind == kind_of<Triangle>() || p.kind == kind_of<Sphere>() ||
-           p.kind == kind_of<Box>() || p.kind == kind_of<Plane>();
+           p.kind == kind_of<Box>() || p.kind == kind_of<Cone>() || p.kind == kind_of<Plane>();
 }
 
 bool offer_to_packet(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
@@ -159,6 +164,8 @@ bool offer_to_packet(const Geometry& geometry, std::uint32_t primitive, RayPacke
             return HWY_DYNAMIC_DISPATCH(offer_sphere)(geometry, primitive, packet);
         case kind_of<Box>():
             return HWY_DYNAMIC_DISPATCH(offer_box)(geometry, primitive, packet);
+        case kind_of<Cone>():
+            return HWY_DYNAMIC_DISPATCH(offer_cone)(geometry, primitive, packet);
         case kind_of<Polygon>():
             return HWY_DYNAMIC_DISPATCH(offer_polygon)(geometry, primitive, packet);
         default:
