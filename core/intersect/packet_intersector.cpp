@@ -55,7 +55,8 @@ PacketIntersector::PacketIntersector(const Geometry& geometry, const BatchInters
         if (box.isEmpty()) continue;
         boxes_.add(box);
         primitives_.push_back(id);
-        costs_.push_back(has_packet_kernel(geometry, geometry.primitives[id]) ? 1 : cost_one_by_one);
+        costs_.push_back(has_packet_kernel(geometry, geometry.primitives[id]) ? 1
+                                                                              : cost_one_by_one);
     }
 }
 

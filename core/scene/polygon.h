@@ -30,7 +30,8 @@ struct PolygonPlane {
 PolygonPlane plane_of(std::span<const Vec3> corners);
 
 /// The projection of a polygon's outline along the dominant axis of its normal, for kernels that
-/// test several edges at once: x along the axis after that one and y along the next, both in [0, 1].
+/// test several edges at once: x along the axis after that one and y along the next, both in [0,
+/// 1].
 struct OutlineProjection {
     int x_axis() const { return (along + 1) % 3; }
     int y_axis() const { return (along + 2) % 3; }

@@ -35,9 +35,9 @@ class ConeLanes {
         if (spread_ != 0) V = V + (broadcast(spread_) * d_.cross(w_) + broadcast(slope_) * m * h_);
         const Doubles V2 = V.dot(V), m2 = m * m, difference = V2 - m2;
         const Doubles error_bound2 = broadcast((96 * u) * (96 * u)) * size2 * hn::Max(V2, m2);
-        const DoubleMask certain = hn::And(hn::And(difference * difference > error_bound2,
-                                                   error_bound2 > broadcast(0x1p-1000)),
-                                           is_in_range(size2));
+        const DoubleMask certain = hn::And(
+            hn::And(difference * difference > error_bound2, error_bound2 > broadcast(0x1p-1000)),
+            is_in_range(size2));
         const DoubleMask missed = hn::And(certain, difference < broadcast(0));
         if (hn::AllTrue(DoubleTag(), missed)) return misses();
         const Doubles hh = broadcast(hh_);
@@ -64,9 +64,8 @@ class ConeLanes {
                                         Doubles root_error_bound2) {
         expand();
         const Doubles unit = broadcast(unit_), error_bound2 = unit * unit * (dd_ * far2_);
-        const DoubleMask leaves =
-            hn::And(hn::And(B_ > broadcast(0), A_ > unit * dd_),
-                    hn::And(C_ > unit * far2_, B_ * B_ > error_bound2));
+        const DoubleMask leaves = hn::And(hn::And(B_ > broadcast(0), A_ > unit * dd_),
+                                          hn::And(C_ > unit * far2_, B_ * B_ > error_bound2));
         sum_ = hn::Abs(B_) + hn::Sqrt(discriminant);
         const DoubleMask good =
             root_error_bound2 + error_bound2 <= broadcast(of_sum * of_sum) * (sum_ * sum_);

@@ -1,5 +1,5 @@
-// first_hit() of a polygon with columns for several rays: see polygon.h and polygon_outline.cpp, which
-// derives the errors. Compiled for each instruction set.
+// first_hit() of a polygon with columns for several rays: see polygon.h and polygon_outline.cpp,
+// which derives the errors. Compiled for each instruction set.
 #if defined(ETALON_POLYGON_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_POLYGON_LANES_INL_H
 #undef ETALON_POLYGON_LANES_INL_H
@@ -31,8 +31,8 @@ struct PassageLanes {
         const Doubles zero = broadcast(0), worst = broadcast(t_tolerance / 2);
         const DoubleMask certain =
             hn::And(cosine_size > cosine_error, distance_size > distance_error);
-        const DoubleMask good = hn::And(worst * cosine_size > cosine_error,
-                                        worst * distance_size > distance_error);
+        const DoubleMask good =
+            hn::And(worst * cosine_size > cosine_error, worst * distance_size > distance_error);
         is_plain = hn::Or(good, hn::And(certain, hn::Xor(cosine > zero, distance > zero)));
         t = distance / cosine;
     }

@@ -15,9 +15,9 @@ namespace etalon::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Applies the even-odd rule to a point that is at most `error` inside or outside of the unit
-/// square. `error`, at most 2^-6 and at least 16 u, bounds how far a corner's coordinate relative to
-/// the point may be off. Such coordinates are at most 1 + 2 error in magnitude, so the side of an
-/// edge is off by 4 error (1 + 2 error) + 2 error^2 and less than 8 u of roundings.
+/// square. `error`, at most 2^-6 and at least 16 u, bounds how far a corner's coordinate relative
+/// to the point may be off. Such coordinates are at most 1 + 2 error in magnitude, so the side of
+/// an edge is off by 4 error (1 + 2 error) + 2 error^2 and less than 8 u of roundings.
 Coverage count_crossings(const OutlineColumns& columns, const Vec2& p, double error) {
     using Tag = hn::CappedTag<double, OutlineColumns::lanes>;
     const Tag tag;

@@ -38,8 +38,8 @@ struct PlanePassage {
 
 enum class Coverage : std::uint8_t { none, full, unknown };
 
-/// Returns what covers() returns, or that it is unknown, by several projected edges at a time, for a
-/// polygon with columns. The passage is one of plain_passage(), with t >= 0.
+/// Returns what covers() returns, or that it is unknown, by several projected edges at a time, for
+/// a polygon with columns. The passage is one of plain_passage(), with t >= 0.
 Coverage projected_coverage(const StoredPolygon& polygon, const PlanePassage& passage,
                             const RayQuery& q);
 
