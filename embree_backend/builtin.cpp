@@ -137,7 +137,7 @@ void EmbreeBuiltin::closest_bounded(const RayQuery& query, const NormalizedRay& 
     if (others_.empty()) {
         embree_intersect(embree_scene_.get(), ray);
     } else {
-        others_.intersect(embree_scene_.get(), query, local, nearest, ray);
+        others_.intersect(query, local, nearest, ray);
     }
     const RTCHit& hit = ray.hit;
     if (hit.geomID == RTC_INVALID_GEOMETRY_ID || hit.geomID < first_shape) return;
@@ -159,7 +159,7 @@ bool EmbreeBuiltin::occluded_bounded(const RayQuery& query, const NormalizedRay&
     if (others_.empty()) {
         embree_occluded(embree_scene_.get(), ray);
     } else {
-        others_.occluded(embree_scene_.get(), query, local, ray);
+        others_.occluded(query, local, ray);
     }
     return ray.tfar < 0;
 }

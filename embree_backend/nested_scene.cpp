@@ -90,13 +90,14 @@ bool FineBoxes::hold_for(const Ray& ray) const {
 }
 
 NestedScene::NestedScene(const EmbreeDevice& device, const Geometry& geometry,
-                         const Intersector& instances, const std::shared_ptr<const FineBoxes>& fine,
+                         const Intersector& instances, const std::vector<UserView>* objects,
+                         const std::shared_ptr<const FineBoxes>& fine,
                          std::vector<std::uint32_t> items)
     : instances_(instances),
       fine_(fine),
       items_(std::move(items)),
       space_(box_of(geometry, *fine, items_)),
-      primitives_(geometry, instances),
+      primitives_(geometry, instances, objects),
       embree_scene_(rtcNewScene(device.handle())) {
     device.check();
     std::vector<BoundedPrimitive> bounded;
@@ -121,7 +122,7 @@ void NestedScene::offer(const RayQuery& query, NearestHit& nearest) const {
     if (!local) return;
     RTCRayHit ray;
     set_ray(ray.ray, *local, local->tmin(query.ray.tmin), local->tmax(nearest.t));
-    primitives_.intersect(embree_scene_.get(), query, *local, nearest, ray);
+    primitives_.intersect(query, *local, nearest, ray);
 }
 
 bool NestedScene::occludes(const RayQuery& query) const {
@@ -135,7 +136,7 @@ bool NestedScene::occludes(const RayQuery& query) const {
     if (tfar < 0) return false;  // which is how Embree would tell that there is a hit
     RTCRay ray;
     set_ray(ray, *local, local->tmin(query.ray.tmin), tfar);
-    primitives_.occluded(embree_scene_.get(), query, *local, ray);
+    primitives_.occluded(query, *local, ray);
     return ray.tfar < 0;
 }
 

@@ -25,9 +25,11 @@ struct FineBoxes {
 /// own, is one primitive of that scene, and may contain further nested scenes.
 class NestedScene {
   public:
-    /// `items` are the numbers of the instances among the geometry's items, ascending.
+    /// `objects` is as for UserPrimitives. `items` are the numbers of the instances among the
+    /// geometry's items, ascending.
     NestedScene(const EmbreeDevice& device, const Geometry& geometry, const Intersector& instances,
-                const std::shared_ptr<const FineBoxes>& fine, std::vector<std::uint32_t> items);
+                const std::vector<UserView>* objects, const std::shared_ptr<const FineBoxes>& fine,
+                std::vector<std::uint32_t> items);
 
     /// Offers `nearest` those of its instances that the ray may hit.
     void offer(const RayQuery& query, NearestHit& nearest) const;

@@ -6,22 +6,25 @@ namespace etalon {
 
 EmbreeUserGeometry::EmbreeUserGeometry(const Geometry& geometry)
     : Intersector(geometry),
-      primitives_(geometry, *this),
+      primitives_(geometry, *this, &objects_),
       embree_scene_(rtcNewScene(device_.handle())) {
     device_.check();
     build_objects<EmbreeUserGeometry>();
+    for (std::uint32_t i = 0; i < geometry.objects.size(); ++i) {
+        objects_.push_back(static_cast<const EmbreeUserGeometry&>(object(i)).primitives_.view());
+    }
     primitives_.build(device_, embree_scene_.get(), 0, scene_bounds().space, take_bounded());
 }
 
 std::size_t EmbreeUserGeometry::own_bytes() const {
-    return device_.bytes() + primitives_.memory_bytes();
+    return device_.bytes() + primitives_.memory_bytes() + objects_.capacity() * sizeof(UserView);
 }
 
 void EmbreeUserGeometry::closest_bounded(const RayQuery& query, const NormalizedRay& local,
                                          NearestHit& nearest) const {
     RTCRayHit ray;
     set_ray(ray.ray, local, local.tmin(query.ray.tmin), local.tmax(nearest.t));
-    primitives_.intersect(embree_scene_.get(), query, local, nearest, ray);
+    primitives_.intersect(query, local, nearest, ray);
 }
 
 bool EmbreeUserGeometry::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {
@@ -29,7 +32,7 @@ bool EmbreeUserGeometry::occluded_bounded(const RayQuery& query, const Normalize
     if (tfar < 0) return false;  // Embree reports a hit by a negative tfar
     RTCRay ray;
     set_ray(ray, local, local.tmin(query.ray.tmin), tfar);
-    primitives_.occluded(embree_scene_.get(), query, local, ray);
+    primitives_.occluded(query, local, ray);
     return ray.tfar < 0;
 }
 

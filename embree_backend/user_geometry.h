@@ -23,6 +23,7 @@ class EmbreeUserGeometry final : public Intersector {
 
   private:
     EmbreeDevice device_;
+    std::vector<UserView> objects_;
     UserPrimitives primitives_;
     EmbreeOwned<RTCScene> embree_scene_;
 };

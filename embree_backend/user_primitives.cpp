@@ -74,8 +74,9 @@ void attach(const EmbreeDevice& device, RTCScene target, unsigned number, Boxes&
 
 }  // namespace
 
-UserPrimitives::UserPrimitives(const Geometry& geometry, const Intersector& instances)
-    : geometry_(geometry), instances_(instances) {}
+UserPrimitives::UserPrimitives(const Geometry& geometry, const Intersector& instances,
+                               const std::vector<UserView>* objects)
+    : geometry_(geometry), instances_(instances), entered_(objects) {}
 
 UserPrimitives::~UserPrimitives() = default;
 
@@ -104,7 +105,7 @@ void UserPrimitives::make_nests(const EmbreeDevice& device, const NormalizedSpac
             geometry_.item_count() + static_cast<std::uint32_t>(nested_scenes_.size());
         singles.emplace_back(nested.box, number, instance_kind);
         nested_scenes_.push_back(std::make_unique<const NestedScene>(
-            device, geometry_, instances_, fine, std::move(nested.items)));
+            device, geometry_, instances_, entered_, fine, std::move(nested.items)));
     }
 }
 
@@ -124,6 +125,8 @@ void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned
         attach(device, target, first + kind, boxes[kind], tracing_.callbacks[kind]);
     }
     device.commit(target);
+    view_.emplace(UserView{target, geometry_, clusters_, singles_, instances_, objects_.data(),
+                           nested_scenes_.data(), entered_ ? entered_->data() : nullptr});
 }
 
 }  // namespace etalon

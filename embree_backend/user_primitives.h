@@ -17,8 +17,11 @@ class NestedScene;
 /// float traversal loses no hit because the boxes are padded and tfar is never below the best t.
 class UserPrimitives {
   public:
-    /// `instances` answers queries for the geometry's instances.
-    UserPrimitives(const Geometry& geometry, const Intersector& instances);
+    /// `instances` answers queries for the geometry's instances. `objects`, if not null, has views
+    /// of all that is bounded of each object when build() is called, for rays to enter them without
+    /// their intersectors.
+    UserPrimitives(const Geometry& geometry, const Intersector& instances,
+                   const std::vector<UserView>* objects = nullptr);
     ~UserPrimitives();
     UserPrimitives(const UserPrimitives&) = delete;
     UserPrimitives& operator=(const UserPrimitives&) = delete;
@@ -36,38 +39,32 @@ class UserPrimitives {
     bool empty() const { return empty_; }
     std::size_t memory_bytes() const;
 
+    /// Returns what a ray can hit, once it is built.
+    const UserView& view() const { return *view_; }
+
     /// Does the same as UserTracing::intersect.
-    void intersect(RTCScene target, const RayQuery& query, const NormalizedRay& local,
-                   NearestHit& nearest, RTCRayHit& ray) const {
-        tracing_.intersect(view(target), query, local, nearest, ray);
+    void intersect(const RayQuery& query, const NormalizedRay& local, NearestHit& nearest,
+                   RTCRayHit& ray) const {
+        tracing_.intersect(view(), query, local, nearest, ray);
     }
-    void occluded(RTCScene target, const RayQuery& query, const NormalizedRay& local,
-                  RTCRay& ray) const {
-        tracing_.occluded(view(target), query, local, ray);
+    void occluded(const RayQuery& query, const NormalizedRay& local, RTCRay& ray) const {
+        tracing_.occluded(view(), query, local, ray);
     }
 
   private:
-    UserView view(RTCScene target) const {
-        return {target,
-                geometry_,
-                clusters_,
-                singles_,
-                instances_,
-                objects_.data(),
-                nested_scenes_.data()};
-    }
-
     /// Puts a nested scene's box in the place of its instances.
     void make_nests(const EmbreeDevice& device, const NormalizedSpace& space,
                     std::shared_ptr<const FineBoxes> fine, std::vector<BoundedPrimitive>& singles);
 
     const Geometry& geometry_;
     const Intersector& instances_;
+    const std::vector<UserView>* const entered_;
     bool empty_ = true;
     Clusters clusters_;
     PrimitiveIds singles_;
     std::vector<ObjectSpace> objects_;
     std::vector<std::unique_ptr<const NestedScene>> nested_scenes_;
+    std::optional<UserView> view_;
     UserTracing tracing_ = user_tracing();
 };
 

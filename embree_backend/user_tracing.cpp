@@ -6,6 +6,7 @@
 #include "core/intersect/kernels.h"
 #include "core/numerics/instruction_sets.h"
 #include "embree_backend/nested_scene.h"
+#include "embree_backend/query.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "embree_backend/user_tracing.cpp"
@@ -40,24 +41,16 @@ class Lazy {
 
 /// Input of the callbacks for one ray: Embree passes them the context that it was given.
 struct UserQuery : EmbreeContext {
-    HWY_INLINE UserQuery(const UserView& view, const RayQuery& q, const NormalizedRay& l,
+    HWY_INLINE UserQuery(const UserView& v, const RayQuery& q, const NormalizedRay& l,
                          NearestHit* n)
-        : geometry(view.geometry),
-          clusters(view.clusters),
-          singles(view.singles),
-          instances(view.instances),
-          objects(view.objects),
-          nested_scenes(view.nested_scenes),
-          query(q),
-          local(l),
-          nearest(n) {
+        : view(v), query(q), local(l), nearest(n) {
         initialise(*this);
     }
 
     /// Returns the nested scene with a number that is not an item's, else null.
     const NestedScene* nested(std::uint32_t number) const {
-        const std::uint32_t items = geometry.item_count();
-        return number < items ? nullptr : nested_scenes[number - items].get();
+        const std::uint32_t items = view.geometry.item_count();
+        return number < items ? nullptr : view.nested_scenes[number - items].get();
     }
 
     /// Returns the lanes, lowest first, that the ray could hit from its tnear to its tfar; one lane
@@ -68,28 +61,35 @@ struct UserQuery : EmbreeContext {
         if constexpr (kind == ClusterRef::list) return 1;
         if constexpr (kind == ClusterRef::triangles) {
             const auto make = [&]() HWY_ATTR { return TriangleFilter(query, local); };
-            return triangles.get(make).candidates(clusters.triangles(ref), ray.tfar);
+            return triangles.get(make).candidates(view.clusters.triangles(ref), ray.tfar);
         }
         if constexpr (kind == ClusterRef::spheres) {
             const auto make = [&]() HWY_ATTR {
                 return SphereFilter(local, ray.tnear, query.ray.exclude);
             };
-            return spheres.get(make).candidates(clusters.spheres(ref), ray.tfar);
+            return spheres.get(make).candidates(view.clusters.spheres(ref), ray.tfar);
         }
     }
 
-    const Geometry& geometry;
-    const Clusters& clusters;
-    const PrimitiveIds& singles;
-    const Intersector& instances;
-    const ObjectSpace* objects;
-    const std::unique_ptr<const NestedScene>* nested_scenes;
+    const UserView& view;
     const RayQuery& query;
     const NormalizedRay& local;
     NearestHit* nearest;
     Lazy<TriangleFilter> triangles;
     Lazy<SphereFilter> spheres;
 };
+
+void intersect(const UserView& view, const RayQuery& query, const NormalizedRay& local,
+               NearestHit& nearest, RTCRayHit& ray) {
+    UserQuery context(view, query, local, &nearest);
+    embree_intersect(view.target, context, ray);
+}
+
+void occluded(const UserView& view, const RayQuery& query, const NormalizedRay& local,
+              RTCRay& ray) {
+    UserQuery context(view, query, local, nullptr);
+    embree_occluded(view.target, context, ray);
+}
 
 /// Returns the ray of a packet of one, which has the layout of a single ray.
 template <class Ray, class PacketOfOne>
@@ -102,12 +102,13 @@ template <ClusterRef::Kind kind, class Offer>
 HWY_INLINE void test_lanes(const UserQuery& query, std::uint32_t cluster, std::uint32_t lanes,
                            const Offer& offer) {
     if constexpr (kind == ClusterRef::list) {
-        const std::uint32_t id = query.singles[cluster];
-        offer(primitive_first_hit(query.geometry, id, query.query), id);
+        const std::uint32_t id = query.view.singles[cluster];
+        offer(primitive_first_hit(query.view.geometry, id, query.query), id);
     } else {
         for (; lanes != 0; lanes &= lanes - 1) {
-            const auto [id, t] = query.clusters.intersect_lane(
-                query.geometry, ClusterRef(kind, cluster), std::countr_zero(lanes), query.query);
+            const auto [id, t] =
+                query.view.clusters.intersect_lane(query.view.geometry, ClusterRef(kind, cluster),
+                                                   std::countr_zero(lanes), query.query);
             if (!offer(t, id)) return;
         }
     }
@@ -115,47 +116,77 @@ HWY_INLINE void test_lanes(const UserQuery& query, std::uint32_t cluster, std::u
 
 #if HWY_MAX_BYTES >= 32
 
+/// Offers `nearest` what a ray that enters an object hits of it. `local` is `ray` in its space.
+HWY_INLINE void offer_entered(const UserQuery& query, std::uint32_t item, const Instance& instance,
+                              const ObjectRay& ray, const NormalizedRay& local,
+                              NearestHit& nearest) {
+    const RayQuery inside(ray.ray(query.query.ray, nearest.t));
+    if (HWY_UNLIKELY(query.view.entered == nullptr)) {
+        return query.view.instances.offer_entered(item, inside, local, nearest);
+    }
+    RTCRayHit asked;
+    set_ray(asked.ray, local, local.tmin(inside.ray.tmin), local.tmax(nearest.t));
+    NearestHit hit(nearest.t);
+    intersect(query.view.entered[instance.object], inside, local, hit, asked);
+    if (hit.found()) nearest.offer(hit.t, item, hit.item);
+}
+
+HWY_INLINE bool entered_occludes(const UserQuery& query, std::uint32_t item,
+                                 const Instance& instance, const ObjectRay& ray,
+                                 const NormalizedRay& local) {
+    const RayQuery inside(ray.ray(query.query.ray, query.query.ray.tmax));
+    if (HWY_UNLIKELY(query.view.entered == nullptr)) {
+        return query.view.instances.entered_occludes(item, inside, local);
+    }
+    const float tfar = local.tmax(inside.ray.tmax);
+    if (tfar < 0) return false;  // which is how Embree would tell that there is a hit
+    RTCRay asked;
+    set_ray(asked, local, local.tmin(inside.ray.tmin), tfar);
+    occluded(query.view.entered[instance.object], inside, local, asked);
+    return asked.tfar < 0;
+}
+
 /// Offers `nearest` an instance: most objects that a ray is taken to are passed.
 HWY_INLINE void offer_instance(const UserQuery& query, std::uint32_t item, NearestHit& nearest) {
-    const Instance& instance = query.geometry.instances[query.geometry.instance_number(item)];
+    const Instance& instance =
+        query.view.geometry.instances[query.view.geometry.instance_number(item)];
     if (HWY_UNLIKELY(instance.moves())) {
-        return query.instances.offer_instance(item, query.query, nearest);
+        return query.view.instances.offer_instance(item, query.query, nearest);
     }
     const ObjectRay ray(instance, WorldRayLanes(query.query.ray));
     NormalizedRay local;
-    const ObjectEntry entry = ray.entry(query.objects[instance.object], local);
+    const ObjectEntry entry = ray.entry(query.view.objects[instance.object], local);
     if (entry == ObjectEntry::misses) return;
     if (HWY_UNLIKELY(entry == ObjectEntry::slow_path)) {
-        return query.instances.offer_instance(item, query.query, nearest);
+        return query.view.instances.offer_instance(item, query.query, nearest);
     }
-    query.instances.offer_entered(item, RayQuery(ray.ray(query.query.ray, nearest.t)), local,
-                                  nearest);
+    offer_entered(query, item, instance, ray, local, nearest);
 }
 
 HWY_INLINE bool instance_occludes(const UserQuery& query, std::uint32_t item) {
-    const Instance& instance = query.geometry.instances[query.geometry.instance_number(item)];
+    const Instance& instance =
+        query.view.geometry.instances[query.view.geometry.instance_number(item)];
     if (HWY_UNLIKELY(instance.moves())) {
-        return query.instances.instance_occludes(item, query.query);
+        return query.view.instances.instance_occludes(item, query.query);
     }
     const ObjectRay ray(instance, WorldRayLanes(query.query.ray));
     NormalizedRay local;
-    const ObjectEntry entry = ray.entry(query.objects[instance.object], local);
+    const ObjectEntry entry = ray.entry(query.view.objects[instance.object], local);
     if (entry == ObjectEntry::misses) return false;
     if (HWY_UNLIKELY(entry == ObjectEntry::slow_path)) {
-        return query.instances.instance_occludes(item, query.query);
+        return query.view.instances.instance_occludes(item, query.query);
     }
-    const double until = query.query.ray.tmax;
-    return query.instances.entered_occludes(item, RayQuery(ray.ray(query.query.ray, until)), local);
+    return entered_occludes(query, item, instance, ray, local);
 }
 
 #else
 
 HWY_INLINE void offer_instance(const UserQuery& query, std::uint32_t item, NearestHit& nearest) {
-    query.instances.offer_instance(item, query.query, nearest);
+    query.view.instances.offer_instance(item, query.query, nearest);
 }
 
 HWY_INLINE bool instance_occludes(const UserQuery& query, std::uint32_t item) {
-    return query.instances.instance_occludes(item, query.query);
+    return query.view.instances.instance_occludes(item, query.query);
 }
 
 #endif
@@ -198,10 +229,6 @@ template <ClusterRef::Kind kind>
 HWY_NOINLINE void intersect_candidates(const RTCIntersectFunctionNArguments* arguments,
                                        std::uint32_t lanes) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
-    if constexpr (kind == ClusterRef::list) {
-        const std::uint32_t item = query.singles[arguments->primID];
-        if (query.geometry.is_instance(item)) return intersect_instance(arguments, item);
-    }
     auto& asked = single<RTCRayHit>(arguments->rayhit);
     bool found = false;
     test_lanes<kind>(query, arguments->primID, lanes, [&](double t, std::uint32_t id) HWY_ATTR {
@@ -220,10 +247,6 @@ template <ClusterRef::Kind kind>
 HWY_NOINLINE void occluded_candidates(const RTCOccludedFunctionNArguments* arguments,
                                       std::uint32_t lanes) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
-    if constexpr (kind == ClusterRef::list) {
-        const std::uint32_t item = query.singles[arguments->primID];
-        if (query.geometry.is_instance(item)) return occluded_by_instance(arguments, item);
-    }
     auto& ray = single<RTCRay>(arguments->ray);
     bool found = false;
     test_lanes<kind>(query, arguments->primID, lanes, [&](double t, std::uint32_t) HWY_ATTR {
@@ -239,6 +262,10 @@ HWY_NOINLINE void occluded_candidates(const RTCOccludedFunctionNArguments* argum
 template <ClusterRef::Kind kind>
 void intersect_cluster(const RTCIntersectFunctionNArguments* arguments) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
+    if constexpr (kind == ClusterRef::list) {
+        const std::uint32_t item = query.view.singles[arguments->primID];
+        if (query.view.geometry.is_instance(item)) return intersect_instance(arguments, item);
+    }
     const RTCRay& ray = single<RTCRayHit>(arguments->rayhit).ray;
     const std::uint32_t lanes = query.candidates<kind>(arguments->primID, ray);
     if (lanes != 0) return intersect_candidates<kind>(arguments, lanes);
@@ -248,22 +275,14 @@ void intersect_cluster(const RTCIntersectFunctionNArguments* arguments) {
 template <ClusterRef::Kind kind>
 void occluded_cluster(const RTCOccludedFunctionNArguments* arguments) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
+    if constexpr (kind == ClusterRef::list) {
+        const std::uint32_t item = query.view.singles[arguments->primID];
+        if (query.view.geometry.is_instance(item)) return occluded_by_instance(arguments, item);
+    }
     const RTCRay& ray = single<RTCRay>(arguments->ray);
     const std::uint32_t lanes = query.candidates<kind>(arguments->primID, ray);
     if (lanes != 0) return occluded_candidates<kind>(arguments, lanes);
     report(*arguments, false);
-}
-
-void intersect(const UserView& view, const RayQuery& query, const NormalizedRay& local,
-               NearestHit& nearest, RTCRayHit& ray) {
-    UserQuery context(view, query, local, &nearest);
-    embree_intersect(view.target, context, ray);
-}
-
-void occluded(const UserView& view, const RayQuery& query, const NormalizedRay& local,
-              RTCRay& ray) {
-    UserQuery context(view, query, local, nullptr);
-    embree_occluded(view.target, context, ray);
 }
 
 template <ClusterRef::Kind kind>

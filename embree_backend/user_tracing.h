@@ -25,6 +25,7 @@ struct UserView {
     const Intersector& instances;
     const ObjectSpace* objects;  ///< one for each object of the geometry
     const std::unique_ptr<const NestedScene>* nested_scenes;
+    const UserView* entered;  ///< views of the objects; null if only their intersectors know all
 };
 
 /// Callbacks and queries, which belong together: callbacks read the context that a query passes.

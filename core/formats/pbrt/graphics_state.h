@@ -11,11 +11,23 @@
 namespace etalon::pbrt {
 
 /// The current transformation at both times, and its numbers in the frame once it has been used.
-struct TransformState {
-    std::array<Matrix4, 2> matrices{};
+class TransformState {
+  public:
+    TransformState() = default;
+    TransformState(const Matrix4& start, const Matrix4& end) : start_(start) {
+        if (end != start) end_ = end;
+    }
+    explicit TransformState(const Matrix4& always) : start_(always) {}
+
+    const Matrix4& start() const { return start_; }
+    const Matrix4& end() const { return end_ ? *end_ : start_; }
+    bool is_animated() const { return end_.has_value(); }
+
     std::optional<TransformPair> numbers{};
 
-    bool is_animated() const { return matrices[0] != matrices[1]; }
+  private:
+    Matrix4 start_{};
+    std::optional<Matrix4> end_{};  ///< only if it differs from that at the start
 };
 
 /// A material as it was stated, so that a shape can restate it with values of its own.
@@ -34,8 +46,8 @@ struct GraphicsState {
     bool reverse_orientation = false;
 };
 
-/// State that TransformBegin saves and TransformEnd restores. The matrices are never changed in
-/// place.
+/// State that TransformBegin saves and TransformEnd restores. The matrices are changed in place
+/// only where nothing else refers to them.
 struct TransformScope {
     std::shared_ptr<TransformState> current = std::make_shared<TransformState>();
     std::array<bool, 2> active = {true, true};

@@ -20,9 +20,10 @@ void read_option(Parser& p, Category category, Plugin& option, Grade grade) {
 
 /// Uses the current transformation as that from the world to the camera.
 void place_camera(Parser& p) {
-    auto system = std::make_shared<TransformState>();
-    for (std::size_t time = 0; time < 2; ++time) {
-        CameraTransform camera{{}, p.now.transform.current->matrices[time]};
+    const TransformState& current = *p.now.transform.current;
+    auto& cameras = p.frame().camera_transforms;
+    cameras = {CameraTransform{{}, current.start()}, CameraTransform{{}, current.end()}};
+    for (CameraTransform& camera : cameras) {
         if (const auto to_world = inverse(camera.from_world)) {
             camera.to_world = *to_world;
         } else {
@@ -31,10 +32,9 @@ void place_camera(Parser& p) {
                         "the camera is where it would be without");
             camera = {};
         }
-        system->matrices[time] = camera.to_world;
-        p.frame().camera_transforms[time] = camera;
     }
-    p.now.coordinate_systems["camera"] = std::move(system);
+    p.now.coordinate_systems["camera"] =
+        std::make_shared<TransformState>(cameras[0].to_world, cameras[1].to_world);
 }
 
 void read_camera(Parser& p) {

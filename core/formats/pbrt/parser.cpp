@@ -80,9 +80,8 @@ bool Parser::check(const Plugin& plugin) {
 TransformPair Parser::transform_pair() {
     TransformState& t = *now.transform.current;
     if (!t.numbers) {
-        const std::uint32_t start = add_transform(t.matrices[0], frame().transforms);
-        t.numbers = {start,
-                     t.is_animated() ? add_transform(t.matrices[1], frame().transforms) : start};
+        const std::uint32_t start = add_transform(t.start(), frame().transforms);
+        t.numbers = {start, t.is_animated() ? add_transform(t.end(), frame().transforms) : start};
     }
     return *t.numbers;
 }

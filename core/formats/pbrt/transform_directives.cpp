@@ -7,23 +7,34 @@
 namespace etalon::pbrt {
 namespace {
 
+/// Replaces the current transformation, in place if nothing else refers to it: a scene may have
+/// millions.
+void replace(Parser& p, const TransformState& next) {
+    std::shared_ptr<TransformState>& current = p.now.transform.current;
+    if (!is_finite(next.start()) || (next.is_animated() && !is_finite(next.end()))) {
+        p.log.error(p.in.where(), "range",
+                    "'{}' is left out: it has a number that is not "
+                    "finite, or leads to one",
+                    p.in.directive());
+    } else if (current.use_count() == 1) {
+        *current = next;
+    } else {
+        current = std::make_shared<TransformState>(next);
+    }
+}
+
 /// Changes the matrices of the active times. Refuses a result that is not finite.
 template <class Change>
 void change(Parser& p, Change changed) {
     if (!p.in.ok()) return;
-    auto next = std::make_shared<TransformState>();
-    for (std::size_t time = 0; time < 2; ++time) {
-        const Matrix4& current = p.now.transform.current->matrices[time];
-        next->matrices[time] = p.now.transform.active[time] ? changed(current) : current;
-        if (!is_finite(next->matrices[time])) {
-            p.log.error(p.in.where(), "range",
-                        "'{}' is left out: it has a number that is not "
-                        "finite, or leads to one",
-                        p.in.directive());
-            return;
-        }
+    const TransformState& current = *p.now.transform.current;
+    const auto [at_start, at_end] = p.now.transform.active;
+    if (at_start && at_end && !current.is_animated()) {
+        replace(p, TransformState(changed(current.start())));
+    } else {
+        replace(p, TransformState(at_start ? changed(current.start()) : current.start(),
+                                  at_end ? changed(current.end()) : current.end()));
     }
-    p.now.transform.current = std::move(next);
 }
 
 void concatenate(Parser& p, const Matrix4& m) {
