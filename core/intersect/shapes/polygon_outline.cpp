@@ -65,7 +65,8 @@ bool is_edge_on(std::span<const Vec3> p, const RayQuery& q) {
 /// three roundings, and it and the corners by four more of coordinates of at most 1.
 Coverage projected_coverage(const StoredPolygon& polygon, const PlanePassage& passage,
                             const RayQuery& q) {
-    const auto& [plane, box, projection] = polygon.facts;
+    const OutlineProjection& projection = polygon.facts.projection;
+    const Vec3& corner = polygon.facts.box.min;
     const Vec3 &o = q.ray.origin, &d = q.ray.direction;
     const double t = passage.t, cosine = std::abs(passage.cosine), along = std::abs(q.dz);
     const double moved = along * (2 * t_tolerance * t + 1.01 * projection.off_plane / cosine);
@@ -75,7 +76,7 @@ Coverage projected_coverage(const StoredPolygon& polygon, const PlanePassage& pa
     // Below 2^-900 products that underflow could matter.
     if (!(error < 0x1p-6) || cosine < 0x1p-900) return Coverage::unknown;
     const auto coordinate = [&](int axis, double axis_scale) {
-        return (o[axis] + t * d[axis] - box.min[axis]) * axis_scale;
+        return (o[axis] + t * d[axis] - corner[axis]) * axis_scale;
     };
     const Vec2 p(coordinate(projection.x_axis(), projection.scale.x),
                  coordinate(projection.y_axis(), projection.scale.y));
