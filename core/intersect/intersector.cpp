@@ -5,13 +5,30 @@
 #include "core/intersect/kernels.h"
 #include "core/intersect/local_rays.h"
 #include "core/intersect/object_space.h"
+#include "core/intersect/packet_kernels.h"
 #include "core/intersect/placement.h"
 #include "core/intersect/rescaled_ray.h"
 #include "core/numerics/denormals.h"
 
 namespace etalon {
+namespace {
+
+/// Returns whether there are some unbounded primitives, all of them planes that a packet can be
+/// tested against.
+bool are_planes(const Geometry& geometry, std::span<const std::uint32_t> items) {
+    return !items.empty() && std::ranges::all_of(items, [&](std::uint32_t item) {
+        if (geometry.is_instance(item)) return false;
+        const Primitive p = geometry.primitives[item];
+        return p.kind == kind_of<Plane>() && has_packet_kernel(geometry, p);
+    });
+}
+
+}  // namespace
+
 Intersector::Intersector(const Geometry& geometry, SceneBounds bounds)
-    : geometry_(geometry), bounds_(std::move(bounds)) {}
+    : geometry_(geometry),
+      bounds_(std::move(bounds)),
+      has_only_planes_(are_planes(geometry, bounds_.unbounded)) {}
 
 std::vector<ObjectSpace> Intersector::object_spaces() const {
     std::vector<ObjectSpace> spaces;
@@ -139,12 +156,21 @@ template <class Answer, class AnswerAlone, class AnswerLocal>
 void Intersector::answer_all(std::span<const Ray> rays, std::span<Answer> answers,
                              const AnswerAlone& alone, const AnswerLocal& local) const {
     const DenormalsCount denormals_count;
-    LocalRays chunk;
+    LocalRays local_rays;
+    RayPacket planes;
     while (!rays.empty()) {
         const std::size_t count = std::min(LocalRays::most, rays.size());
-        chunk.set(bounds_.space, rays.first(count));
+        const RayColumns columns(rays.first(count));
+        local_rays.set(bounds_.space, columns);
+        const bool offers_planes = has_only_planes_ && columns.are_common();
+        if (offers_planes) {
+            planes.set(0, rays.first(count), columns);
+            for (const std::uint32_t item : bounds_.unbounded)
+                offer_to_packet(geometry_, item, planes);
+        }
+        const Chunk chunk{local_rays, offers_planes ? &planes : nullptr};
         for (std::size_t i = 0; i < count; ++i) {
-            const bool is_alone = chunk.kind(i) == LocalRays::Kind::slow_path;
+            const bool is_alone = local_rays.kind(i) == LocalRays::Kind::slow_path;
             answers[i] = is_alone ? alone(rays[i]) : local(rays[i], chunk, i);
         }
         rays = rays.subspan(count);
@@ -152,30 +178,43 @@ void Intersector::answer_all(std::span<const Ray> rays, std::span<Answer> answer
     }
 }
 
-Hit Intersector::closest_local(const Ray& ray, const LocalRays& chunk, std::size_t i) const {
-    NearestHit nearest(ray.tmax);
-    const bool enters = chunk.kind(i) == LocalRays::Kind::enters;
-    if (enters || !bounds_.unbounded.empty()) {
-        const RayQuery query(ray, chunk.dominant(i));
+/// Returns the nearest hit on an unbounded primitive, for ray number i of a chunk.
+NearestHit Intersector::nearest_unbounded(const RayQuery& query, const Chunk& chunk,
+                                          std::size_t i) const {
+    NearestHit nearest(query.ray.tmax);
+    if (chunk.planes == nullptr) {
         for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, nullptr);
-        if (enters) closest_bounded(query, chunk.ray(i), nearest);
+    } else {
+        const Hit hit = chunk.planes->hit(i);
+        nearest.t = hit.t;
+        nearest.item = hit.primitive;
     }
+    return nearest;
+}
+
+Hit Intersector::closest_local(const Ray& ray, const Chunk& chunk, std::size_t i) const {
+    const bool enters = chunk.rays.kind(i) == LocalRays::Kind::enters;
+    if (!enters && bounds_.unbounded.empty()) return hit_of(NearestHit(ray.tmax));
+    const RayQuery query(ray, chunk.rays.dominant(i));
+    NearestHit nearest = nearest_unbounded(query, chunk, i);
+    if (enters) closest_bounded(query, chunk.rays.ray(i), nearest);
     return hit_of(nearest);
 }
 
-bool Intersector::is_occluded_local(const Ray& ray, const LocalRays& chunk, std::size_t i) const {
-    const bool enters = chunk.kind(i) == LocalRays::Kind::enters;
-    if (!enters && bounds_.unbounded.empty()) return false;
-    const RayQuery query(ray, chunk.dominant(i));
-    for (const std::uint32_t item : bounds_.unbounded) {
-        if (occludes(item, query)) return true;
-    }
-    return enters && occluded_bounded(query, chunk.ray(i));
+bool Intersector::is_occluded_local(const Ray& ray, const Chunk& chunk, std::size_t i) const {
+    const bool enters = chunk.rays.kind(i) == LocalRays::Kind::enters;
+    if (chunk.planes != nullptr && chunk.planes->hit(i).primitive != no_index) return true;
+    const bool tests_unbounded = chunk.planes == nullptr && !bounds_.unbounded.empty();
+    if (!enters && !tests_unbounded) return false;
+    const RayQuery query(ray, chunk.rays.dominant(i));
+    const auto blocks = [&](std::uint32_t item) { return occludes(item, query); };
+    if (tests_unbounded && std::ranges::any_of(bounds_.unbounded, blocks)) return true;
+    return enters && occluded_bounded(query, chunk.rays.ray(i));
 }
 
 void Intersector::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
     const auto alone = [&](const Ray& ray) { return hit_of(nearest_hit(ray)); };
-    answer_all(rays, hits, alone, [&](const Ray& ray, const LocalRays& chunk, std::size_t i) {
+    answer_all(rays, hits, alone, [&](const Ray& ray, const Chunk& chunk, std::size_t i) {
         return closest_local(ray, chunk, i);
     });
 }
@@ -183,7 +222,7 @@ void Intersector::closest(std::span<const Ray> rays, std::span<Hit> hits) const 
 void Intersector::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
     const auto alone = [&](const Ray& ray) -> std::uint8_t { return is_occluded(ray) ? 1 : 0; };
     answer_all(rays, blocked, alone,
-               [&](const Ray& ray, const LocalRays& chunk, std::size_t i) -> std::uint8_t {
+               [&](const Ray& ray, const Chunk& chunk, std::size_t i) -> std::uint8_t {
                    return is_occluded_local(ray, chunk, i) ? 1 : 0;
                });
 }

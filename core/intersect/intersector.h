@@ -16,6 +16,7 @@
 namespace etalon {
 
 class LocalRays;
+class RayPacket;
 struct ObjectSpace;
 
 /// Finds hits in a scene. A backend derives from it and decides only *which* kernels are called;
@@ -131,16 +132,24 @@ class Intersector : public BatchIntersector {
                TraversalCost* cost) const;
     bool occludes(std::uint32_t item, const RayQuery& query) const;
 
+    /// A chunk of a batch, with the nearest hits on planes if these are already known.
+    struct Chunk {
+        const LocalRays& rays;
+        const RayPacket* planes;
+    };
+
     /// Answers a batch of rays in chunks of LocalRays. Rays of LocalRays::Kind::slow_path are
     /// answered one by one, the others with the data that their chunk has for them.
     template <class Answer, class AnswerAlone, class AnswerLocal>
     void answer_all(std::span<const Ray> rays, std::span<Answer> answers, const AnswerAlone& alone,
                     const AnswerLocal& local) const;
-    Hit closest_local(const Ray& ray, const LocalRays& chunk, std::size_t i) const;
-    bool is_occluded_local(const Ray& ray, const LocalRays& chunk, std::size_t i) const;
+    NearestHit nearest_unbounded(const RayQuery& query, const Chunk& chunk, std::size_t i) const;
+    Hit closest_local(const Ray& ray, const Chunk& chunk, std::size_t i) const;
+    bool is_occluded_local(const Ray& ray, const Chunk& chunk, std::size_t i) const;
 
     const Geometry& geometry_;
     SceneBounds bounds_;
+    bool has_only_planes_;  ///< among the unbounded primitives, of which there are some
     std::vector<std::unique_ptr<Intersector>> objects_;
 };
 

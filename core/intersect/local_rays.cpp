@@ -117,11 +117,10 @@ namespace etalon {
 
 HWY_EXPORT(make_local);
 
-void LocalRays::set(const NormalizedSpace& space, std::span<const Ray> rays) {
-    const RayColumns columns(rays);
-    dominants_ = columns.dominants;
+void LocalRays::set(const NormalizedSpace& space, const RayColumns& rays) {
+    dominants_ = rays.dominants;
     HWY_DYNAMIC_DISPATCH(make_local)
-    (space, columns,
+    (space, rays,
      {origins_.data(), directions_.data(), shifts_.data(), scales_.data(), kinds_.data()});
 }
 

@@ -18,8 +18,8 @@ class LocalRays {
         enters,
     };
 
-    /// Classifies up to `most` rays.
-    void set(const NormalizedSpace& space, std::span<const Ray> rays);
+    /// Classifies rays.
+    void set(const NormalizedSpace& space, const RayColumns& rays);
 
     Kind kind(std::size_t i) const { return static_cast<Kind>(kinds_[i]); }
 

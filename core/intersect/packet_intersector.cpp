@@ -20,6 +20,11 @@ bool is_worthwhile(std::size_t cost, std::size_t rays) {
     return cost <= 1 + rays / 4;
 }
 
+/// Returns whether most rays of a packet leave a primitive, which they exclude then.
+bool is_left(const RayPacket& packet, std::uint32_t primitive) {
+    return packet.excludes[0] == primitive && packet.excludes[packet.count - 1] == primitive;
+}
+
 /// Number of rays at the start of a batch that stand for the rest: if each of their packets may hit
 /// too many primitives, no further packet is tried.
 constexpr std::size_t probed = 2 * RayPacket::most;
@@ -50,7 +55,8 @@ PacketIntersector::PacketIntersector(const Geometry& geometry, const BatchInters
         if (box.isEmpty()) continue;
         boxes_.add(box);
         primitives_.push_back(id);
-        costs_.push_back(has_packet_kernel(geometry.primitives[id]) ? 1 : cost_one_by_one);
+        costs_.push_back(has_packet_kernel(geometry, geometry.primitives[id]) ? 1
+                                                                              : cost_one_by_one);
     }
 }
 
@@ -61,7 +67,9 @@ std::optional<std::span<const std::uint32_t>> PacketIntersector::find_few(const 
     if (!bounds.goes_one_way()) return std::nullopt;
     const auto found = std::span(near).first(bounds.find_near(boxes_, near.data()));
     std::size_t cost = 0;
-    for (const std::uint32_t i : found) cost += costs_[i];
+    for (const std::uint32_t i : found) {
+        if (!is_left(packet, primitives_[i])) cost += costs_[i];
+    }
     if (!is_worthwhile(cost, packet.count)) return std::nullopt;
     return found;
 }

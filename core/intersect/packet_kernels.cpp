@@ -13,7 +13,9 @@
 #include <hwy/highway.h>
 
 #include "core/intersect/shapes/box_lanes-inl.h"
+#include "core/intersect/shapes/cone_lanes-inl.h"
 #include "core/intersect/shapes/plane_lanes-inl.h"
+#include "core/intersect/shapes/polygon_lanes-inl.h"
 #include "core/intersect/shapes/sphere_lanes-inl.h"
 #include "core/intersect/shapes/triangle_lanes-inl.h"
 
@@ -34,13 +36,12 @@ HWY_NOINLINE Doubles decide(const Geometry& geometry, std::uint32_t primitive, c
     return hn::Load(DoubleTag(), ts);
 }
 
-/// Offers `hits` to the rays from number `first` on: see NearestHit. Returns whether any was hit.
+/// Offers `hits` to those rays from number `first` on that are tested: see NearestHit. Returns
+/// whether any was hit.
 HWY_INLINE bool offer_lanes(const Geometry& geometry, std::uint32_t primitive, HitLanes hits,
-                            RayPacket& packet, std::size_t first) {
+                            DoubleMask is_tested, RayPacket& packet, std::size_t first) {
     const DoubleTag tag;
     const Doubles number = broadcast(primitive);
-    const DoubleMask is_excluded = hn::LoadU(tag, &packet.excludes[first]) == number;
-    const DoubleMask is_tested = hn::AndNot(is_excluded, hn::FirstN(tag, packet.count - first));
     hits.uncertain = hn::And(is_tested, hits.uncertain);
     if (HWY_UNLIKELY(!hn::AllFalse(tag, hits.uncertain))) {
         hits.t = decide(geometry, primitive, hits, packet, first);
@@ -56,13 +57,20 @@ HWY_INLINE bool offer_lanes(const Geometry& geometry, std::uint32_t primitive, H
     return true;
 }
 
-/// Offers a primitive whose hits first_hits(rays) returns.
+/// Offers a primitive whose hits first_hits(rays) returns. Rays that exclude it, such as those that
+/// leave it, are mostly neighbours.
 template <class FirstHits>
 HWY_INLINE bool offer(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet,
                       const FirstHits& first_hits) {
+    const DoubleTag tag;
+    const Doubles number = broadcast(primitive);
     bool any = false;
-    for (std::size_t i = 0; i < packet.count; i += hn::Lanes(DoubleTag())) {
-        any |= offer_lanes(geometry, primitive, first_hits(RayLanes(packet, i)), packet, i);
+    for (std::size_t i = 0; i < packet.count; i += hn::Lanes(tag)) {
+        const DoubleMask is_excluded = hn::LoadU(tag, &packet.excludes[i]) == number;
+        const DoubleMask is_tested = hn::AndNot(is_excluded, hn::FirstN(tag, packet.count - i));
+        if (hn::AllFalse(tag, is_tested)) continue;
+        const HitLanes hits = first_hits(RayLanes(packet, i));
+        any |= offer_lanes(geometry, primitive, hits, is_tested, packet, i);
     }
     return any;
 }
@@ -99,6 +107,12 @@ bool offer_box(const Geometry& geometry, std::uint32_t primitive, RayPacket& pac
 bool offer_plane(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
     return offer_shape<Plane>(geometry, primitive, packet);
 }
+bool offer_cone(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
+    return offer_shape<Cone>(geometry, primitive, packet);
+}
+bool offer_polygon(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
+    return offer_shape<Polygon>(geometry, primitive, packet);
+}
 
 }  // namespace etalon::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -110,12 +124,15 @@ HWY_EXPORT(offer_triangle);
 HWY_EXPORT(offer_sphere);
 HWY_EXPORT(offer_box);
 HWY_EXPORT(offer_plane);
+HWY_EXPORT(offer_cone);
+HWY_EXPORT(offer_polygon);
 
 namespace {
 
 bool offer_one_by_one(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
     bool any = false;
     for (std::size_t i = 0; i < packet.count; ++i) {
+        if (packet.excludes[i] == primitive) continue;
         const Hit before = packet.hit(i);
         NearestHit nearest(before.t);
         nearest.item = before.primitive;
@@ -130,15 +147,16 @@ bool offer_one_by_one(const Geometry& geometry, std::uint32_t primitive, RayPack
 
 }  // namespace
 
-bool has_packet_kernel(const Primitive& p) {
-    return p.sides != Sides::cut_out &&
-           (p.kind == kind_of<Triangle>() || p.kind == kind_of<Sphere>() ||
-            p.kind == kind_of<Box>() || p.kind == kind_of<Plane>());
+bool has_packet_kernel(const Geometry& geometry, const Primitive& p) {
+    if (p.sides == Sides::cut_out) return false;
+    if (p.kind == kind_of<Polygon>()) return geometry.get<Polygon>(p).columns.edges != 0;
+    return p.kind == kind_of<Triangle>() || p.kind == kind_of<Sphere>() ||
+           p.kind == kind_of<Box>() || p.kind == kind_of<Cone>() || p.kind == kind_of<Plane>();
 }
 
 bool offer_to_packet(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
     const Primitive p = geometry.primitives[primitive];
-    if (!has_packet_kernel(p)) return offer_one_by_one(geometry, primitive, packet);
+    if (!has_packet_kernel(geometry, p)) return offer_one_by_one(geometry, primitive, packet);
     switch (p.kind) {
         case kind_of<Triangle>():
             return HWY_DYNAMIC_DISPATCH(offer_triangle)(geometry, primitive, packet);
@@ -146,6 +164,10 @@ bool offer_to_packet(const Geometry& geometry, std::uint32_t primitive, RayPacke
             return HWY_DYNAMIC_DISPATCH(offer_sphere)(geometry, primitive, packet);
         case kind_of<Box>():
             return HWY_DYNAMIC_DISPATCH(offer_box)(geometry, primitive, packet);
+        case kind_of<Cone>():
+            return HWY_DYNAMIC_DISPATCH(offer_cone)(geometry, primitive, packet);
+        case kind_of<Polygon>():
+            return HWY_DYNAMIC_DISPATCH(offer_polygon)(geometry, primitive, packet);
         default:
             return HWY_DYNAMIC_DISPATCH(offer_plane)(geometry, primitive, packet);
     }

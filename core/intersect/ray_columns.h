@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -21,6 +22,10 @@ struct RayColumns {
 
     /// The same; the columns of the stream are not copied.
     explicit RayColumns(const RayStream& rays);
+
+    bool are_common() const {
+        return std::ranges::all_of(std::span(common).first(count), [](auto c) { return c != 0; });
+    }
 
     RayColumns(const RayColumns&) = delete;
     RayColumns& operator=(const RayColumns&) = delete;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/numerics/dyadic_vec.h"
+#include "core/numerics/rounding.h"
 
 namespace etalon {
 namespace {
@@ -32,6 +33,28 @@ Box3 box_of(std::span<const Vec3> corners) {
     return box;
 }
 
+double largest_off_plane(std::span<const Vec3> corners, const PolygonPlane& plane,
+                         const Vec3& size) {
+    double largest = 0;
+    for (const Vec3& corner : corners) {
+        const double off = plane.normal.dot((corner - corners[0]) - plane.mean);
+        largest = std::max(largest, std::abs(off));
+    }
+    constexpr double roundings = 16 * unit_roundoff;
+    const double error = roundings * abs(plane.normal).dot(abs(plane.mean) + size);
+    return largest + error + 0x1p-1000;  // products may underflow
+}
+
+OutlineProjection projection_of(std::span<const Vec3> corners, const PolygonPlane& plane,
+                                const Box3& box) {
+    OutlineProjection p;
+    const Vec3 size = box.size();
+    p.along = dominant_axis(plane.normal);
+    p.scale = {1 / size[p.x_axis()], 1 / size[p.y_axis()]};
+    p.off_plane = largest_off_plane(corners, plane, size);
+    return p;
+}
+
 }  // namespace
 
 PolygonPlane plane_of(std::span<const Vec3> p) {
@@ -49,7 +72,9 @@ PolygonPlane plane_of(std::span<const Vec3> p) {
 
 PolygonFacts::PolygonFacts(std::span<const Vec3> corners) : plane(plane_of(corners)) {
     if (plane.normal == Vec3(0)) plane.normal = exact_normal(corners);
-    if (!is_degenerate(plane)) box = box_of(corners);
+    if (is_degenerate(plane)) return;
+    box = box_of(corners);
+    projection = projection_of(corners, plane, box);
 }
 
 }  // namespace etalon

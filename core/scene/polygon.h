@@ -29,6 +29,18 @@ struct PolygonPlane {
 
 PolygonPlane plane_of(std::span<const Vec3> corners);
 
+/// The projection of a polygon's outline along the dominant axis of its normal, for kernels that
+/// test several edges at once: x along the axis after that one and y along the next, both in [0,
+/// 1].
+struct OutlineProjection {
+    int x_axis() const { return (along + 1) % 3; }
+    int y_axis() const { return (along + 2) % 3; }
+
+    int along = 0;
+    Vec2 scale{0};                ///< 1 / the sizes of the corners' box
+    double off_plane = infinity;  ///< bound on normal . (corner - mean) of all corners
+};
+
 /// Sums over all corners, computed once instead of at every hit.
 struct PolygonFacts {
     PolygonFacts() = default;
@@ -36,24 +48,23 @@ struct PolygonFacts {
 
     PolygonPlane plane;
     Box3 box;  ///< box of the corners; empty for a degenerate polygon, which has no plane
+    OutlineProjection projection;
 };
 
-/// The corners in SoA layout, one column for each axis. A column begins with the last corner, so
-/// that every edge goes from one number to the next; then come all corners, and copies of the last
-/// up to a multiple of `lanes`.
-struct CornerColumns {
+/// The projected corners in SoA layout. A column begins with the last corner, so that every edge
+/// goes from one number to the next; then come all corners, and copies of the last up to a multiple
+/// of `lanes`, and one more.
+struct OutlineColumns {
     static constexpr std::size_t lanes = 4;
 
-    const double* along(int axis) const { return first + static_cast<std::size_t>(axis) * length; }
-
-    const double* first = nullptr;
-    std::size_t length = 0;  ///< of a column; 0 where the polygon has too few corners for columns
+    const double *x = nullptr, *y = nullptr;
+    std::size_t edges = 0;  ///< a multiple of `lanes`
 };
 
 /// A polygon as a geometry keeps it.
 struct StoredPolygon : Polygon {
     const PolygonFacts& facts;
-    CornerColumns columns;
+    OutlineColumns columns;
 };
 
 }  // namespace etalon

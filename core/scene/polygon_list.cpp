@@ -25,7 +25,7 @@ void PolygonList::push_back(const Polygon& polygon) {
     if (!polygon.normals.empty()) entry.normals = append(normals_, polygon.normals);
     if (entry.count >= least_corners_for_columns) {
         entry.columns = static_cast<std::uint32_t>(columns_.size());
-        columns_.resize(columns_.size() + 3 * column_length(entry));
+        columns_.resize(columns_.size() + 2 * (edges_in_columns(entry) + 1));
     }
     work_out(entry);
     entries_.push_back(entry);
@@ -42,14 +42,20 @@ void PolygonList::make_room(double factor) {
 }
 
 void PolygonList::work_out(Entry& entry) {
+    entry.facts = PolygonFacts(corners_of(entry));
+    if (entry.columns != none) fill_columns(entry);
+}
+
+void PolygonList::fill_columns(const Entry& entry) {
     const std::span<const Vec3> corners = corners_of(entry);
-    entry.facts = PolygonFacts(corners);
-    if (entry.columns == none) return;
-    const std::size_t length = column_length(entry);
-    double* column = &columns_[entry.columns];
-    for (int axis = 0; axis < 3; ++axis, column += length) {
-        std::fill_n(column, length, corners.back()[axis]);
-        for (std::size_t i = 0; i < corners.size(); ++i) column[i + 1] = corners[i][axis];
+    const auto& [plane, box, projection] = entry.facts;
+    const std::size_t length = edges_in_columns(entry) + 1;
+    double *x = &columns_[entry.columns], *y = x + length;
+    for (std::size_t i = 0; i < length; ++i) {
+        const std::size_t last = corners.size() - 1;
+        const Vec3 p = corners[i == 0 ? last : std::min(i - 1, last)] - box.min;
+        x[i] = p[projection.x_axis()] * projection.scale.x;
+        y[i] = p[projection.y_axis()] * projection.scale.y;
     }
 }
 

@@ -60,17 +60,20 @@ class PolygonList {
         if (e.normals == none) return {};
         return {normals_.data() + e.normals, e.count};
     }
-    static std::size_t column_length(const Entry& e) {
-        constexpr std::size_t lanes = CornerColumns::lanes;
-        return (e.count + lanes) / lanes * lanes;
+    static std::size_t edges_in_columns(const Entry& e) {
+        constexpr std::size_t lanes = OutlineColumns::lanes;
+        return (e.count + lanes - 1) / lanes * lanes;
     }
-    CornerColumns columns_of(const Entry& e) const {
+    OutlineColumns columns_of(const Entry& e) const {
         if (e.columns == none) return {};
-        return {columns_.data() + e.columns, column_length(e)};
+        const double* x = columns_.data() + e.columns;
+        const std::size_t edges = edges_in_columns(e);
+        return {x, x + edges + 1, edges};
     }
 
     /// Recomputes what is derived from the corners.
     void work_out(Entry& entry);
+    void fill_columns(const Entry& entry);
 
     LargeVector<Entry> entries_;
     LargeVector<Vec3> corners_, normals_;

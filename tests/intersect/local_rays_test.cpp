@@ -90,7 +90,7 @@ TEST_CASE("Rays of a chunk are transformed to normalized space as single rays ar
         LocalRays chunk;
         for (std::size_t first = 0; first < rays.size(); first += size) {
             size = std::min(first % LocalRays::most + 1, rays.size() - first);
-            chunk.set(space, std::span(rays).subspan(first, size));
+            chunk.set(space, RayColumns(std::span(rays).subspan(first, size)));
             for (std::size_t i = 0; i < size; ++i) {
                 const Ray& ray = rays[first + i];
                 CAPTURE(first, i, ray.origin, ray.direction);
@@ -132,7 +132,7 @@ TEST_CASE("Nearly all ordinary rays are looked at together, and none where nothi
     CHECK(columns.common[3] == 0);
 
     LocalRays chunk;
-    chunk.set(NormalizedSpace(), rays);
+    chunk.set(NormalizedSpace(), columns);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         CHECK(chunk.kind(i) == LocalRays::Kind::slow_path);
     }

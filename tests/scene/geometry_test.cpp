@@ -66,10 +66,16 @@ void check_kept(const Geometry& g) {
         CHECK(p.facts.plane.normal == expected.plane.normal);
         CHECK(p.facts.plane.terms == expected.plane.terms);
         CHECK(p.facts.box == expected.box);
+        const OutlineProjection &projection = p.facts.projection, &other = expected.projection;
+        CHECK(projection.along == other.along);
+        CHECK(projection.scale == other.scale);
+        CHECK(projection.off_plane == other.off_plane);
         const std::size_t count = p.corners.size();
-        for (std::size_t i = 0; i < p.columns.length; ++i) {
+        for (std::size_t i = 0; p.columns.edges != 0 && i <= p.columns.edges; ++i) {
             const Vec3& corner = p.corners[i == 0 || i > count ? count - 1 : i - 1];
-            for (int k = 0; k < 3; ++k) CHECK(p.columns.along(k)[i] == corner[k]);
+            const Vec3 in_box = corner - expected.box.min;
+            CHECK(p.columns.x[i] == in_box[other.x_axis()] * other.scale.x);
+            CHECK(p.columns.y[i] == in_box[other.y_axis()] * other.scale.y);
         }
     }
 }
@@ -140,6 +146,9 @@ TEST_CASE("Polygon: given corners, then their mean, normal and box are kept") {
     CHECK(facts.plane.mean == Vec3(1, 1, 0));
     CHECK(facts.plane.normal == Vec3(0, 0, 8));
     CHECK(facts.box == Box3(Vec3(1, 1, 5), Vec3(3, 3, 5)));
+    CHECK(facts.projection.along == 2);
+    CHECK(facts.projection.scale == Vec2(0.5));
+    CHECK(facts.projection.off_plane < 1e-13);
     g.add(Polygon{std::array{Vec3(0), Vec3(1), Vec3(2), Vec3(1)}}, 0);
     CHECK(g.all<Polygon>()[1].facts.box.isEmpty());
 }
@@ -152,7 +161,7 @@ TEST_CASE("Polygon: given others appended, then each has its own corners, normal
     check_kept(g);
     for (const std::size_t first : {0U, 3U}) {
         CHECK(std::ranges::equal(g.all<Polygon>()[first + 1].corners, star));
-        CHECK(g.all<Polygon>()[first + 1].columns.length >= star.size());
+        CHECK(g.all<Polygon>()[first + 1].columns.edges >= star.size());
         CHECK(g.all<Polygon>()[first + 1].normals.empty());
         CHECK(std::ranges::equal(g.all<Polygon>()[first + 2].corners, few_digits));
         CHECK(std::ranges::equal(g.all<Polygon>()[first + 2].normals, many_digits));

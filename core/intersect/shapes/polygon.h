@@ -17,12 +17,6 @@ inline Box3 bounds(const Geometry&, const StoredPolygon& polygon) {
     return polygon.facts.box;
 }
 
-/// Point where a ray's line passes a polygon's plane.
-struct PlanePassage {
-    double t;
-    double cosine;  ///< cosine of the plane's normal and the ray, up to a positive factor
-};
-
 /// Computes the passage exactly; slow. t is good to a few ulp, and NaN where the ray runs along the
 /// plane.
 PlanePassage exact_passage(std::span<const Vec3> p, const RayQuery& q);
@@ -48,6 +42,16 @@ inline std::optional<PlanePassage> plain_passage(const StoredPolygon& polygon, c
     return std::nullopt;
 }
 
+/// Returns whether a ray that passes the polygon's plane hits the polygon.
+inline bool covers(const StoredPolygon& p, const std::optional<PlanePassage>& plain,
+                   const RayQuery& q) {
+    if (plain && p.columns.edges != 0) {
+        const Coverage coverage = projected_coverage(p, *plain, q);
+        if (coverage != Coverage::unknown) return coverage == Coverage::full;
+    }
+    return covers(p.corners, q);
+}
+
 /// The hit is where the ray meets the plane, but never outside the box of the corners: where they
 /// are not quite in the plane, or the ray runs along it, the plane's t could be far away.
 inline double first_hit(const Geometry&, const StoredPolygon& p, Sides sides, const RayQuery& q) {
@@ -57,7 +61,7 @@ inline double first_hit(const Geometry&, const StoredPolygon& p, Sides sides, co
     const Box3& box = p.facts.box;
     if (box.isEmpty()) return no_hit;
     const std::optional<PlanePassage> plain = plain_passage(p, q);
-    if ((plain && !is_seen(*plain)) || !covers(p, q)) return no_hit;
+    if ((plain && !is_seen(*plain)) || !covers(p, plain, q)) return no_hit;
     const PlanePassage passage = plain ? *plain : exact_passage(p.corners, q);
     if (!is_seen(passage)) return no_hit;
     const double t = passage.t;
@@ -91,7 +95,8 @@ inline Vec3 interpolated_normal(std::span<const Vec3> p, std::span<const Vec3> n
 }
 
 inline SurfacePoint surface(const Geometry&, const StoredPolygon& p, const RayQuery& q, double t) {
-    const auto& [plane, box] = p.facts;
+    const PolygonPlane& plane = p.facts.plane;
+    const Box3& box = p.facts.box;
     const Vec3 normal = normalized(plane.normal);
     Vec3 position = q.ray.origin + t * q.ray.direction;
     const Vec3 point = p.corners[0] + plane.mean;

@@ -30,11 +30,17 @@ inline bool covers(std::span<const Vec3> p, const RayQuery& q) {
     return inside;
 }
 
-/// The same for a polygon that has columns, several corners at a time.
-bool covers_by_columns(const StoredPolygon& p, const RayQuery& q);
+/// Point where a ray's line passes a polygon's plane.
+struct PlanePassage {
+    double t;
+    double cosine;  ///< cosine of the plane's normal and the ray, up to a positive factor
+};
 
-inline bool covers(const StoredPolygon& p, const RayQuery& q) {
-    return p.columns.length != 0 ? covers_by_columns(p, q) : covers(p.corners, q);
-}
+enum class Coverage : std::uint8_t { none, full, unknown };
+
+/// Returns what covers() returns, or that it is unknown, by several projected edges at a time, for
+/// a polygon with columns. The passage is one of plain_passage(), with t >= 0.
+Coverage projected_coverage(const StoredPolygon& polygon, const PlanePassage& passage,
+                            const RayQuery& q);
 
 }  // namespace etalon
