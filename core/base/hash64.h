@@ -12,6 +12,7 @@ namespace etalon {
 class Hash64 {
   public:
     void add(std::string_view bytes) {
+        if (bytes.empty()) return;  // there may be no address to copy from
         size_ += bytes.size();
         if (held_ > 0) bytes.remove_prefix(hold(bytes));
         for (; bytes.size() >= sizeof word_; bytes.remove_prefix(sizeof word_)) {
