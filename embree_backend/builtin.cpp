@@ -91,7 +91,7 @@ std::optional<Affine> EmbreeBuiltin::embree_map(const Instance& instance) const 
     return is_invertible(between) ? std::optional(between) : std::nullopt;
 }
 
-void EmbreeBuiltin::attach_shapes(std::map<RTCGeometryType, std::vector<std::uint32_t>> by_type) {
+void EmbreeBuiltin::attach_shapes(std::map<RTCGeometryType, std::vector<std::uint32_t>>&& by_type) {
     const FloatGeometry floats(*device_, geometry(), scene_bounds().space);
     for (auto& [type, ids] : by_type) {
         const auto number = first_shape + static_cast<unsigned>(ids_.size());

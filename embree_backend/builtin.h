@@ -48,7 +48,7 @@ class EmbreeBuiltin final : public Intersector {
     std::optional<Affine> embree_map(const Instance& instance) const;
 
     /// Geometry numbers are in the order: those of others_, of ids_, of instances_.
-    void attach_shapes(std::map<RTCGeometryType, std::vector<std::uint32_t>> by_type);
+    void attach_shapes(std::map<RTCGeometryType, std::vector<std::uint32_t>>&& by_type);
     void attach_instance(std::uint32_t item, const Affine& map);
 
     bool is_object_;
