@@ -6,7 +6,7 @@ namespace etalon {
 
 PlanePassage exact_passage(std::span<const Vec3> p, const RayQuery& q) {
     const DyadicVec o = exactly(q.ray.origin), first = exactly(p[0]);
-    DyadicVec previous = first - first, sum = first - o, normal = previous;
+    DyadicVec previous = exactly(Vec3(0)), sum = first - o, normal = previous;
     for (const Vec3& corner : p.subspan(1)) {
         const DyadicVec c = exactly(corner), next = c - first;
         normal = normal + cross(previous, next);
