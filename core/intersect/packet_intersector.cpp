@@ -11,13 +11,18 @@
 namespace etalon {
 namespace {
 
-/// Cost of testing a packet against a primitive without a packet kernel. With one the cost is 1.
-constexpr std::uint8_t cost_one_by_one = 4;
+/// Returns the cost of testing a packet against a primitive. Triangles cost more than others with a
+/// packet kernel, since a tree tests eight of them at once.
+std::uint8_t cost_of(const Geometry& geometry, const Primitive& primitive) {
+    constexpr std::uint8_t one_by_one = 16, triangle = 5, other = 4;
+    if (!has_packet_kernel(geometry, primitive)) return one_by_one;
+    return primitive.kind == kind_of<Triangle>() ? triangle : other;
+}
 
 /// Returns whether tests of that cost take less time than the traversal of a tree by each ray. The
 /// fewer rays share the tests, the lower the cost must be.
 bool is_worthwhile(std::size_t cost, std::size_t rays) {
-    return cost <= 1 + rays / 4;
+    return cost <= 4 + 4 * rays / 3;
 }
 
 /// Returns whether most rays of a packet leave a primitive, which they exclude then.
@@ -55,8 +60,7 @@ PacketIntersector::PacketIntersector(const Geometry& geometry, const BatchInters
         if (box.isEmpty()) continue;
         boxes_.add(box);
         primitives_.push_back(id);
-        costs_.push_back(has_packet_kernel(geometry, geometry.primitives[id]) ? 1
-                                                                              : cost_one_by_one);
+        costs_.push_back(cost_of(geometry, geometry.primitives[id]));
     }
 }
 
