@@ -55,13 +55,15 @@ struct ProjectedLanes {
         const OutlineProjection& projection = facts.projection;
         const Vec3Lanes &o = rays.origin, &d = rays.direction;
         const Doubles along = max_abs(d.x, d.y, d.z), size = hn::Abs(passage.cosine);
-        const Doubles moved = along * (broadcast(2 * t_tolerance) * passage.t +
-                                       broadcast(1.01 * projection.off_plane) / size);
+        const Doubles moved =
+            along * (broadcast(OutlineBounds::of_passage) * passage.t +
+                     broadcast(OutlineBounds::of_corners * projection.off_plane) / size);
         const Doubles rounded =
-            broadcast(4 * unit_roundoff) * (max_abs(o.x, o.y, o.z) + along * passage.t);
+            broadcast(OutlineBounds::of_point) * (max_abs(o.x, o.y, o.z) + along * passage.t);
         const Doubles scale = broadcast(std::max(projection.scale.x, projection.scale.y));
-        error = (moved + rounded) * scale + broadcast(16 * unit_roundoff);
-        is_usable = hn::And(error < broadcast(0x1p-6), size >= broadcast(0x1p-900));
+        error = (moved + rounded) * scale + broadcast(OutlineBounds::of_roundings);
+        is_usable = hn::And(error < broadcast(OutlineBounds::largest_error),
+                            size >= broadcast(OutlineBounds::least_cosine));
         const auto coordinate = [&](int axis, double axis_scale) HWY_ATTR {
             const Doubles origin = axis == 0 ? o.x : axis == 1 ? o.y : o.z;
             const Doubles direction = axis == 0 ? d.x : axis == 1 ? d.y : d.z;
@@ -88,7 +90,7 @@ struct CoverageLanes {
 /// Applies the even-odd rule as count_crossings() does, to one edge after another.
 HWY_INLINE CoverageLanes count_crossings(const OutlineColumns& columns, std::size_t edges,
                                          const ProjectedLanes& p) {
-    const Doubles zero = broadcast(0), side_bound = broadcast(8) * p.error;
+    const Doubles zero = broadcast(0), side_bound = broadcast(OutlineBounds::of_side) * p.error;
     DoubleMask unknown = zero > zero, full = unknown;
     Doubles ax = broadcast(columns.x[0]) - p.x, ay = broadcast(columns.y[0]) - p.y;
     DoubleMask starts_above = ay > zero;

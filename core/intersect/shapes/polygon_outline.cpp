@@ -22,7 +22,8 @@ Coverage count_crossings(const OutlineColumns& columns, const Vec2& p, double er
     using Tag = hn::CappedTag<double, OutlineColumns::lanes>;
     const Tag tag;
     const auto x = hn::Set(tag, p.x), y = hn::Set(tag, p.y), zero = hn::Zero(tag);
-    const auto y_bound = hn::Set(tag, error), side_bound = hn::Set(tag, 8 * error);
+    const auto y_bound = hn::Set(tag, error),
+               side_bound = hn::Set(tag, OutlineBounds::of_side * error);
     auto unknown = hn::Gt(zero, zero), odd = unknown;
     for (std::size_t i = 0; i < columns.edges; i += hn::Lanes(tag)) {
         const auto ay = hn::LoadU(tag, columns.y + i) - y;
@@ -69,12 +70,13 @@ Coverage projected_coverage(const StoredPolygon& polygon, const PlanePassage& pa
     const Vec3& corner = polygon.facts.box.min;
     const Vec3 &o = q.ray.origin, &d = q.ray.direction;
     const double t = passage.t, cosine = std::abs(passage.cosine), along = std::abs(q.dz);
-    const double moved = along * (2 * t_tolerance * t + 1.01 * projection.off_plane / cosine);
-    const double rounded = 4 * unit_roundoff * (max_abs(o) + along * t);
+    const double moved = along * (OutlineBounds::of_passage * t +
+                                  OutlineBounds::of_corners * projection.off_plane / cosine);
+    const double rounded = OutlineBounds::of_point * (max_abs(o) + along * t);
     const double scale = std::max(projection.scale.x, projection.scale.y);
-    const double error = (moved + rounded) * scale + 16 * unit_roundoff;
-    // Below 2^-900 products that underflow could matter.
-    if (!(error < 0x1p-6) || cosine < 0x1p-900) return Coverage::unknown;
+    const double error = (moved + rounded) * scale + OutlineBounds::of_roundings;
+    if (!(error < OutlineBounds::largest_error) || cosine < OutlineBounds::least_cosine)
+        return Coverage::unknown;
     const auto coordinate = [&](int axis, double axis_scale) {
         return (o[axis] + t * d[axis] - corner[axis]) * axis_scale;
     };

@@ -38,6 +38,16 @@ struct PlanePassage {
 
 enum class Coverage : std::uint8_t { none, full, unknown };
 
+/// Constants of the bounds that polygon_outline.cpp derives.
+struct OutlineBounds {
+    static constexpr double of_passage = 2 * t_tolerance, of_corners = 1.01;
+    static constexpr double of_point = 4 * unit_roundoff, of_roundings = 16 * unit_roundoff;
+    static constexpr double of_side = 8;             ///< per error of a coordinate
+    static constexpr double largest_error = 0x1p-6;  ///< of a coordinate for which they hold
+    static constexpr double least_cosine =
+        0x1p-900;  ///< below, products that underflow could matter
+};
+
 /// Returns what covers() returns, or that it is unknown, by several projected edges at a time, for
 /// a polygon with columns. The passage is one of plain_passage(), with t >= 0.
 Coverage projected_coverage(const StoredPolygon& polygon, const PlanePassage& passage,
