@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/intersect/kernels.h"
 #include "core/intersect/packet_kernels.h"
 #include "core/intersect/ray_packets.h"
 #include "core/numerics/denormals.h"
@@ -11,27 +10,8 @@
 namespace etalon {
 namespace {
 
-/// Returns the cost of testing a packet against a primitive. Triangles cost more than others with a
-/// packet kernel, since a tree tests eight of them at once.
-std::uint8_t cost_of(const Geometry& geometry, const Primitive& primitive) {
-    constexpr std::uint8_t one_by_one = 16, triangle = 5, other = 4;
-    if (!has_packet_kernel(geometry, primitive)) return one_by_one;
-    return primitive.kind == kind_of<Triangle>() ? triangle : other;
-}
-
-/// Returns whether tests of that cost take less time than the traversal of a tree by each ray. The
-/// fewer rays share the tests, the lower the cost must be.
-bool is_worthwhile(std::size_t cost, std::size_t rays) {
-    return cost <= 4 + 4 * rays / 3;
-}
-
-/// Returns whether most rays of a packet leave a primitive, which they exclude then.
-bool is_left(const RayPacket& packet, std::uint32_t primitive) {
-    return packet.excludes[0] == primitive && packet.excludes[packet.count - 1] == primitive;
-}
-
-/// Number of rays at the start of a batch that stand for the rest: if each of their packets may hit
-/// too many primitives, no further packet is tried.
+/// Number of rays at the start of a batch that stand for the rest: if packets are of no use to
+/// them, no further packet is tried.
 constexpr std::size_t probed = 2 * RayPacket::most;
 
 /// Calls ask(rays, answers), which asks the backend, for those of `rays` that are in the packet.
@@ -48,56 +28,118 @@ void ask_for_packet(const RayPacket& packet, const Rays& rays, std::span<Answer>
 
 }  // namespace
 
+/// Answers queries for the nearest hits.
+class PacketIntersector::Closest {
+  public:
+    explicit Closest(const PacketIntersector& all) : all_(all) {}
+
+    /// Answers for a packet if its rays may hit few primitives; the packet is empty then.
+    void answer(RayPacket& packet, std::span<Hit> hits) {
+        NearPrimitives::Room room;
+        const auto near = all_.near_.find(packet, room);
+        if (!near || !all_.near_.are_few(*near, packet)) return;
+        for (const std::uint32_t primitive : *near) {
+            offer_to_packet(all_.geometry_, primitive, packet);
+        }
+        for (std::size_t i = 0; i < packet.count; ++i) hits[packet.numbers[i]] = packet.hit(i);
+        packet.count = 0;
+    }
+
+    /// Asks the backend, for a span or a stream of rays.
+    template <class Rays>
+    void ask(const Rays& rays, std::span<Hit> hits) const {
+        all_.backend_.closest(rays, hits);
+    }
+
+  private:
+    const PacketIntersector& all_;
+};
+
+/// Answers queries for occlusion. Most rays that are occluded are so by the primitive that occludes
+/// others near them, which is therefore tested first.
+class PacketIntersector::Occluded {
+  public:
+    explicit Occluded(const PacketIntersector& all) : all_(all) {}
+
+    /// Removes rays from a packet whose answers are known: all if they may hit few primitives, else
+    /// those that the primitives found to occlude some of them occlude. `blocked` is 0 before.
+    void answer(RayPacket& packet, std::span<std::uint8_t> blocked) {
+        NearPrimitives::Room room;
+        const auto near = all_.near_.find(packet, room);
+        if (!near) return;
+        const bool are_few = all_.near_.are_few(*near, packet);
+        const auto last = std::ranges::find(*near, last_occluder_);
+        if (last != near->end()) {
+            std::swap(*last, near->front());
+            if (!are_few) offer(last_occluder_, packet, blocked);
+        }
+        if (!are_few) return remove_occluded(packet, blocked);
+        for (const std::uint32_t primitive : *near) {
+            if (packet.count != 0) offer(primitive, packet, blocked);
+        }
+        packet.count = 0;
+    }
+
+    /// Asks the backend, for a span or a stream of rays.
+    template <class Rays>
+    void ask(const Rays& rays, std::span<std::uint8_t> blocked) const {
+        all_.backend_.occluded(rays, blocked);
+    }
+
+  private:
+    /// Removes the rays that a primitive occludes.
+    void offer(std::uint32_t primitive, RayPacket& packet, std::span<std::uint8_t> blocked) {
+        if (!offer_to_packet(all_.geometry_, primitive, packet)) return;
+        packet.remove_hit([&](std::uint32_t number) { blocked[number] = 1; });
+        last_occluder_ = primitive;
+    }
+
+    /// Removes the rays that are occluded by what occludes the packet's first ray, as long as this
+    /// leaves few.
+    void remove_occluded(RayPacket& packet, std::span<std::uint8_t> blocked) {
+        constexpr std::size_t least_rays = 8, least_removed = 8;  // the latter: one of so many
+        for (std::size_t before = 0; packet.count >= least_rays;) {
+            before = packet.count;
+            const Ray ray = packet.ray(0);
+            Hit hit;
+            all_.backend_.closest({&ray, 1}, {&hit, 1});
+            if (hit.primitive == no_index) return;
+            offer(hit.primitive, packet, blocked);
+            if (least_removed * (before - packet.count) < before) return;
+        }
+    }
+
+    const PacketIntersector& all_;
+    std::uint32_t last_occluder_ = no_index;
+};
+
 PacketIntersector::PacketIntersector(const Geometry& geometry, const BatchIntersector& backend,
                                      bool is_exact)
     : geometry_(geometry),
       backend_(backend),
       has_packets_(is_exact && geometry.instances.empty() &&
-                   geometry.primitives.size() <= most_primitives) {
-    if (!has_packets_) return;
-    for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
-        const Box3 box = whole_bounds(geometry, id);
-        if (box.isEmpty()) continue;
-        boxes_.add(box);
-        primitives_.push_back(id);
-        costs_.push_back(cost_of(geometry, geometry.primitives[id]));
-    }
+                   geometry.primitives.size() <= NearPrimitives::most) {
+    if (has_packets_) near_ = NearPrimitives(geometry);
 }
 
-/// Finds the primitives that rays of a packet may hit. Returns nothing if they are too many.
-std::optional<std::span<const std::uint32_t>> PacketIntersector::find_few(const RayPacket& packet,
-                                                                          Near& near) const {
-    const PacketBounds bounds(packet);
-    if (!bounds.goes_one_way()) return std::nullopt;
-    const auto found = std::span(near).first(bounds.find_near(boxes_, near.data()));
-    std::size_t cost = 0;
-    for (const std::uint32_t i : found) {
-        if (!is_left(packet, primitives_[i])) cost += costs_[i];
-    }
-    if (!is_worthwhile(cost, packet.count)) return std::nullopt;
-    return found;
-}
-
-/// Sets the answers packet by packet: by offer(packet, near) if its rays may hit few primitives,
-/// else by ask(rays, answers), which asks the backend.
-template <class Rays, class Answer, class Offer, class Ask>
-void PacketIntersector::answer_all(const Rays& rays, std::span<Answer> answers, const Offer& offer,
-                                   const Ask& ask) const {
+/// Sets the answers packet by packet: by query.answer() as far as it goes, the rest by query.ask().
+template <class Rays, class Answer, class Query>
+void PacketIntersector::answer_all(const Rays& rays, std::span<Answer> answers, Query query) const {
     const DenormalsCount denormals_count;
-    bool any_few = false;
+    const auto ask = [&](auto some, auto to) { query.ask(some, to); };
+    bool any_answered = false;
     for (std::size_t first = 0; first < rays.size(); first += RayPacket::most) {
-        if (first == probed && !any_few) return ask(rays.subspan(first), answers.subspan(first));
+        if (first == probed && !any_answered) {
+            return ask(rays.subspan(first), answers.subspan(first));
+        }
         const std::size_t count = std::min(RayPacket::most, rays.size() - first);
         const Rays chunk = rays.subspan(first, count);
         const auto answers_of_chunk = answers.subspan(first, count);
         const auto visit = [&](RayPacket& packet) {
-            Near near;
-            if (const auto few = find_few(packet, near)) {
-                offer(packet, *few, answers_of_chunk);
-                any_few = true;
-            } else {
-                ask_for_packet(packet, chunk, answers_of_chunk, ask);
-            }
+            const std::size_t before = packet.count;
+            query.answer(packet, answers_of_chunk);
+            any_answered |= packet.count < before;
+            if (packet.count != 0) ask_for_packet(packet, chunk, answers_of_chunk, ask);
         };
         for_each_packet(chunk, visit, [&](std::size_t i) {
             ask(chunk.subspan(i, 1), answers_of_chunk.subspan(i, 1));
@@ -111,26 +153,14 @@ template <class Rays>
 void PacketIntersector::find_closest(const Rays& rays, std::span<Hit> hits) const {
     if (!has_packets_ || rays.empty() || !rays[0].coherent()) return backend_.closest(rays, hits);
     std::ranges::fill(hits, Hit{infinity, no_index});
-    const auto offer = [&](RayPacket& packet, std::span<const std::uint32_t> near,
-                           std::span<Hit> to) {
-        for (const std::uint32_t i : near) offer_to_packet(geometry_, primitives_[i], packet);
-        for (std::size_t i = 0; i < packet.count; ++i) to[packet.numbers[i]] = packet.hit(i);
-    };
-    answer_all(rays, hits, offer, [&](auto some, auto to) { backend_.closest(some, to); });
+    answer_all(rays, hits, Closest(*this));
 }
 
 template <class Rays>
 void PacketIntersector::find_occluded(const Rays& rays, std::span<std::uint8_t> blocked) const {
     if (!has_packets_) return backend_.occluded(rays, blocked);
     std::ranges::fill(blocked, std::uint8_t{0});
-    const auto offer = [&](RayPacket& packet, std::span<const std::uint32_t> near,
-                           std::span<std::uint8_t> to) {
-        for (const std::uint32_t i : near) {
-            if (!offer_to_packet(geometry_, primitives_[i], packet)) continue;
-            packet.remove_hit([&](std::uint32_t number) { to[number] = 1; });
-        }
-    };
-    answer_all(rays, blocked, offer, [&](auto some, auto to) { backend_.occluded(some, to); });
+    answer_all(rays, blocked, Occluded(*this));
 }
 
 void PacketIntersector::closest(std::span<const Ray> rays, std::span<Hit> hits) const {

@@ -1,11 +1,7 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "core/intersect/batch_intersector.h"
-#include "core/intersect/packet_bounds.h"
+#include "core/intersect/near_primitives.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {
@@ -15,10 +11,6 @@ namespace etalon {
 /// bits as the backend's.
 class PacketIntersector final : public BatchIntersector {
   public:
-    /// Largest number of primitives for which culling takes less time than the traversal of a tree
-    /// by each ray.
-    static constexpr std::size_t most_primitives = 256;
-
     /// `geometry` and `backend` must outlive the object. If the backend is not exact, all rays go
     /// to it.
     PacketIntersector(const Geometry& geometry, const BatchIntersector& backend, bool is_exact);
@@ -32,14 +24,11 @@ class PacketIntersector final : public BatchIntersector {
     void occluded(const RayStream& rays, std::span<std::uint8_t> blocked) const override;
 
   private:
-    /// Numbers of boxes.
-    using Near = std::array<std::uint32_t, most_primitives>;
+    class Closest;
+    class Occluded;
 
-    std::optional<std::span<const std::uint32_t>> find_few(const RayPacket& packet,
-                                                           Near& near) const;
-    template <class Rays, class Answer, class Offer, class Ask>
-    void answer_all(const Rays& rays, std::span<Answer> answers, const Offer& offer,
-                    const Ask& ask) const;
+    template <class Rays, class Answer, class Query>
+    void answer_all(const Rays& rays, std::span<Answer> answers, Query query) const;
     template <class Rays>
     void find_closest(const Rays& rays, std::span<Hit> hits) const;
     template <class Rays>
@@ -48,9 +37,7 @@ class PacketIntersector final : public BatchIntersector {
     const Geometry& geometry_;
     const BatchIntersector& backend_;
     bool has_packets_;
-    BoxColumns boxes_;                       ///< bounds of the primitives that can be hit
-    std::vector<std::uint32_t> primitives_;  ///< number of the primitive in each box
-    std::vector<std::uint8_t> costs_;        ///< cost of testing a packet against it
+    NearPrimitives near_;
 };
 
 }  // namespace etalon

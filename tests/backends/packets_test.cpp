@@ -77,6 +77,25 @@ std::size_t count_wrong(const Scene& scene, const BatchIntersector& intersector,
     return wrong;
 }
 
+/// Returns a hundred spheres side by side.
+Geometry wall_of_spheres() {
+    Geometry geometry;
+    for (int i = 0; i < 100; ++i) geometry.add(Sphere{Vec3(i % 10, i / 10, 0), 0.3}, 0);
+    return geometry;
+}
+
+/// Returns coherent rays of one origin to all parts of the wall and beyond it.
+std::vector<Ray> rays_at_wall() {
+    std::vector<Ray> rays;
+    for (int i = 0; i < 64 * 64; ++i) {
+        Ray& ray = rays.emplace_back();
+        ray.origin = Vec3(4.5, 4.5, 20);
+        ray.direction = Vec3(i % 64 / 64.0 - 0.5, i / 64 / 64.0 - 0.5, -2);
+        ray.set_coherent();
+    }
+    return rays;
+}
+
 }  // namespace
 
 TEST_CASE("Packets: rays in bundles find what each of them finds alone, to the bit", "[backends]") {
@@ -117,20 +136,11 @@ TEST_CASE("Packets: rays of a stream find what each of them finds alone, to the 
 }
 
 TEST_CASE("Packets: of camera rays past some spheres few are left to the backend", "[backends]") {
-    Geometry geometry;
-    for (int i = 0; i < 100; ++i) {
-        geometry.add(Sphere{Vec3(i % 10, i / 10, 0), 0.3}, 0);
-    }
+    const Geometry geometry = wall_of_spheres();
     const auto backend = backend_named("bvh").build(geometry);
     const CountingBackend counting(*backend);
     const PacketIntersector packets(geometry, counting, true);
-    std::vector<Ray> rays;
-    for (int i = 0; i < 64 * 64; ++i) {
-        Ray& ray = rays.emplace_back();
-        ray.origin = Vec3(4.5, 4.5, 20);
-        ray.direction = Vec3(i % 64 / 64.0 - 0.5, i / 64 / 64.0 - 0.5, -2);
-        ray.set_coherent();
-    }
+    std::vector<Ray> rays = rays_at_wall();
     std::vector<Hit> hits(rays.size());
     std::vector<std::uint8_t> blocked(rays.size());
     packets.closest(rays, hits);
@@ -141,6 +151,25 @@ TEST_CASE("Packets: of camera rays past some spheres few are left to the backend
     rays[0].traits_and_time = 0;
     packets.closest(rays, hits);
     CHECK(counting.count == rays.size());
+}
+
+TEST_CASE("Packets: what occludes most rays is found once, however much else there is",
+          "[backends]") {
+    Geometry geometry = wall_of_spheres();
+    geometry.add(Box{Vec3(-20, 4.6, 1), Vec3(20, 20, 2)}, 0);
+    const auto backend = backend_named("bvh").build(geometry);
+    const CountingBackend counting(*backend);
+    const PacketIntersector packets(geometry, counting, true);
+    const std::vector<Ray> in_order = rays_at_wall();
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < in_order.size(); ++i) {
+        rays.push_back(in_order[i * 1021 % in_order.size()]);  // so that packets are wide
+    }
+    std::vector<std::uint8_t> blocked(rays.size()), expected(rays.size());
+    packets.occluded(rays, blocked);
+    backend->occluded(rays, expected);
+    CHECK(blocked == expected);
+    CHECK(counting.count < rays.size() * 5 / 8);
 }
 
 TEST_CASE("Packets: scenes of many primitives, and other backends, are left alone", "[backends]") {
