@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/sampling/random_sequence.h"
+#include "core/sampling/seeded_points.h"
 #include "core/sampling/sobol.h"
 #include "core/sampling/vertex_points.h"
 #include "core/scene/render_settings.h"
@@ -26,11 +27,9 @@ class PointSet {
     bool is_sobol_;
 };
 
-/// Points of many point sets of one sampler, generated together.
+/// Ranges of points of point sets of one sampler, generated together.
 class PointBatch {
   public:
-    void add(const PointSet& set, std::uint32_t index) { add(set, index, index + 1); }
-
     /// Adds the points [first, last) of a set.
     void add(const PointSet& set, std::uint32_t first, std::uint32_t last) {
         if (set.is_sobol_) {
@@ -98,8 +97,8 @@ class SampleSource {
 
     /// Adds that point to those that will be generated together.
     void add_stratified(std::uint32_t dimension, std::uint32_t k, std::uint32_t parts,
-                        PointBatch& to) const {
-        to.add(pixel_.points(dimension), index_ * parts + k);
+                        SeededPoints& to) const {
+        to.add(pixel_.seed(dimension), index_ * parts + k);
     }
 
     /// Adds the choices at the vertex of that name to those that will be generated together.

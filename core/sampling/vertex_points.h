@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/numerics/vec.h"
+#include "core/sampling/point_names.h"
 #include "core/scene/render_settings.h"
 
 namespace etalon {
@@ -25,10 +25,10 @@ class VertexPoints {
   public:
     explicit VertexPoints(Decision decision) : decision_(decision) {}
 
-    void clear();
+    void clear() { names_.clear(); }
 
     /// Adds sample number `index` of the vertices that `seed` identifies.
-    void add(std::uint32_t seed, std::uint32_t index);
+    void add(std::uint32_t seed, std::uint32_t index) { names_.add(seed, index); }
 
     /// Generates the points of all vertices that were added since clear().
     void make(Sampler sampler);
@@ -39,8 +39,7 @@ class VertexPoints {
 
   private:
     Decision decision_;
-    std::size_t size_ = 0;
-    std::vector<std::uint32_t> seeds_, indices_;
+    PointNames names_;
     std::array<std::vector<Vec2>, 2> points_;
 };
 

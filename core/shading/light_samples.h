@@ -1,6 +1,8 @@
 #pragma once
 
-#include "core/numerics/vec.h"
+#include <span>
+
+#include "core/numerics/vec_columns.h"
 #include "core/scene/light.h"
 
 namespace etalon {
@@ -23,6 +25,9 @@ class LightSamples {
 
     /// Returns the position of the random point for uv in [0, 1)^2.
     Vec3 position(const Vec2& uv) const;
+
+    /// Writes the positions of the random points for `uvs` in [0, 1)^2, which is padded.
+    void find_positions(std::span<const Vec2> uvs, Vec3Buffer& positions) const;
 
   private:
     const Light& light_;

@@ -97,19 +97,34 @@ TEST_CASE("The mean over many seeds is unbiased", "[sampling]") {
 TEST_CASE("Points made together are those made one by one", "[sampling]") {
     for_each_target([] {
         for (const Sampler sampler : {Sampler::sobol, Sampler::random}) {
-            PointBatch batch;
+            SeededPoints batch;
             for (const std::uint32_t count : {1U, 7U, 8U, 9U, 100U}) {
                 std::vector<Vec2> expected;
                 for (std::uint32_t i = 0; i < count; ++i) {
-                    const PointSet points =
-                        PixelSamples(static_cast<int>(i), 3, 5, sampler).points(i % 3);
+                    const PixelSamples pixel(static_cast<int>(i), 3, 5, sampler);
                     const std::uint32_t index = hash(i, count);
-                    expected.push_back(points(index));
-                    batch.add(points, index);
+                    expected.push_back(pixel.points(i % 3)(index));
+                    batch.add(pixel.seed(i % 3), index);
                 }
-                CHECK(std::ranges::equal(batch.make(), expected));
+                CHECK(std::ranges::equal(batch.make(sampler), expected));
                 batch.clear();
             }
+        }
+    });
+}
+
+TEST_CASE("Ranges of points made together are those made one by one", "[sampling]") {
+    for_each_target([] {
+        for (const Sampler sampler : {Sampler::sobol, Sampler::random}) {
+            PointBatch batch;
+            std::vector<Vec2> expected;
+            for (const std::uint32_t count : {1U, 7U, 8U, 9U, 100U}) {
+                const PointSet points =
+                    PixelSamples(static_cast<int>(count), 3, 5, sampler).points(count % 3);
+                for (std::uint32_t i = 5; i < 5 + count; ++i) expected.push_back(points(i));
+                batch.add(points, 5, 5 + count);
+            }
+            CHECK(std::ranges::equal(batch.make(), expected));
         }
     });
 }

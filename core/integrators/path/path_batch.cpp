@@ -81,7 +81,7 @@ template <bool in_media>
 void PathBatch<in_media>::make_added_points() {
     asked_.make(shared_.sampler);
     ways_.make(shared_.sampler);
-    on_lights_ = light_points_.make();
+    on_lights_ = light_points_.make(shared_.sampler);
 }
 
 template <bool in_media>

@@ -185,7 +185,7 @@ class PathBatch {
     std::vector<Hit> hits_;
     VertexPoints asked_{Decision::light};  ///< for the rays that may scatter, in their order
     VertexPoints ways_{Decision::way};     ///< for all paths into which they may be split
-    PointBatch light_points_;
+    SeededPoints light_points_;
     std::span<const Vec2> on_lights_;  ///< for each of these, for all samples of all lights
 
     std::vector<Ray> shadow_rays_;

@@ -31,7 +31,8 @@ class RayTree {
         std::vector<ShutterTime> secondary_times;
         std::vector<Color> incoming;  ///< radiance that the secondary rays bring back
 
-        Vec3Buffer light_points;  ///< a point of the light for each surface
+        SeededPoints light_samples;  ///< for a point of the light for each surface
+        Vec3Buffer light_points;     ///< that point
         ShadowRays shadow;
         std::vector<ShutterTime> shadow_times;
         std::vector<std::uint8_t> blocked;  ///< 1 where the shadow ray is occluded

@@ -54,6 +54,7 @@ Whitted::Whitted(const Scene& scene, const BatchIntersector& intersector,
       any_absorbs_(std::ranges::any_of(scene.whitted().materials,
                                        [](const Material& m) { return !is_black(m.absorption); })),
       max_depth_(settings.max_depth),
+      sampler_(settings.sampler),
       rules_(settings.whitted) {
     for (const Light& light : scene.whitted().lights)
         lights_.emplace_back(light, settings.samples_per_pixel);
@@ -117,14 +118,13 @@ void Whitted::find_light_points(std::size_t light, int k, RayTree::Level& level,
         for (std::size_t j = 0; j < count; ++j) level.light_points.set(j, position);
         return;
     }
-    PointBatch points;
+    level.light_samples.clear();
     for (const auto& traits : level.surfaces.traits) {
         const RayPath& path = batch.paths[traits.ray];
         batch.sources[path.sample].add_stratified(light_dimension(path.name, light), k,
-                                                  samples.count(), points);
+                                                  samples.count(), level.light_samples);
     }
-    std::size_t j = 0;
-    for (const Vec2& uv : points.make()) level.light_points.set(j++, samples.position(uv));
+    samples.find_positions(level.light_samples.make(sampler_), level.light_points);
 }
 
 /// Calls add(j, reflected) for each surface j whose shadow ray is not occluded, with the light that

@@ -45,6 +45,7 @@ class Whitted final : public Integrator {
     std::vector<LightSamples> lights_;
     bool any_absorbs_;  ///< some material absorbs light behind its surface
     int max_depth_;
+    Sampler sampler_;
     WhittedRules rules_;
     mutable Spares<RayTree> trees_;
 };
