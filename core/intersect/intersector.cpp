@@ -19,7 +19,7 @@ bool are_planes(const Geometry& geometry, std::span<const std::uint32_t> items) 
     return !items.empty() && std::ranges::all_of(items, [&](std::uint32_t item) {
         if (geometry.is_instance(item)) return false;
         const Primitive p = geometry.primitives[item];
-        return p.kind == kind_of<Plane>() && has_packet_kernel(geometry, p);
+        return p.kind == kind_of<Plane>() && has_packet_kernel(p);
     });
 }
 

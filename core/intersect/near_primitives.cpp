@@ -9,9 +9,9 @@ namespace {
 
 /// Returns the cost of testing a packet against a primitive. Triangles cost more than others with a
 /// packet kernel, since a tree tests eight of them at once; polygons, since all edges are tested.
-std::uint8_t cost_of(const Geometry& geometry, const Primitive& primitive) {
+std::uint8_t cost_of(const Primitive& primitive) {
     constexpr std::uint8_t one_by_one = 40, polygon = 8, triangle = 5, other = 4;
-    if (!has_packet_kernel(geometry, primitive)) return one_by_one;
+    if (!has_packet_kernel(primitive)) return one_by_one;
     if (primitive.kind == kind_of<Polygon>()) return polygon;
     return primitive.kind == kind_of<Triangle>() ? triangle : other;
 }
@@ -31,7 +31,7 @@ bool is_left(const RayPacket& packet, std::uint32_t primitive) {
 
 NearPrimitives::NearPrimitives(const Geometry& geometry) {
     for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
-        costs_.push_back(cost_of(geometry, geometry.primitives[id]));
+        costs_.push_back(cost_of(geometry.primitives[id]));
         const Box3 box = whole_bounds(geometry, id);
         if (box.isEmpty()) continue;
         boxes_.add(box);

@@ -1,8 +1,10 @@
 #include "core/intersect/packet_kernels.h"
 
 #include <bit>
+#include <optional>
 
 #include "core/intersect/kernels.h"
+#include "core/scene/projected_outline.h"
 
 #define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
@@ -111,7 +113,14 @@ bool offer_cone(const Geometry& geometry, std::uint32_t primitive, RayPacket& pa
     return offer_shape<Cone>(geometry, primitive, packet);
 }
 bool offer_polygon(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
-    return offer_shape<Polygon>(geometry, primitive, packet);
+    const Primitive p = geometry.primitives[primitive];
+    const StoredPolygon polygon = geometry.get<Polygon>(p);
+    std::optional<SmallOutline> small;
+    if (polygon.columns.edges == 0) small.emplace(polygon);
+    const OutlineColumns columns = small ? small->columns() : polygon.columns;
+    return offer(geometry, primitive, packet, [&](const RayLanes& rays) HWY_ATTR {
+        return first_hits(polygon, columns, p.sides, rays);
+    });
 }
 
 }  // namespace etalon::HWY_NAMESPACE
@@ -147,16 +156,16 @@ bool offer_one_by_one(const Geometry& geometry, std::uint32_t primitive, RayPack
 
 }  // namespace
 
-bool has_packet_kernel(const Geometry& geometry, const Primitive& p) {
+bool has_packet_kernel(const Primitive& p) {
     if (p.sides == Sides::cut_out) return false;
-    if (p.kind == kind_of<Polygon>()) return geometry.get<Polygon>(p).columns.edges != 0;
     return p.kind == kind_of<Triangle>() || p.kind == kind_of<Sphere>() ||
-           p.kind == kind_of<Box>() || p.kind == kind_of<Cone>() || p.kind == kind_of<Plane>();
+           p.kind == kind_of<Box>() || p.kind == kind_of<Cone>() || p.kind == kind_of<Polygon>() ||
+           p.kind == kind_of<Plane>();
 }
 
 bool offer_to_packet(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
     const Primitive p = geometry.primitives[primitive];
-    if (!has_packet_kernel(geometry, p)) return offer_one_by_one(geometry, primitive, packet);
+    if (!has_packet_kernel(p)) return offer_one_by_one(geometry, primitive, packet);
     switch (p.kind) {
         case kind_of<Triangle>():
             return HWY_DYNAMIC_DISPATCH(offer_triangle)(geometry, primitive, packet);

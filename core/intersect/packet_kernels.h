@@ -11,6 +11,6 @@ namespace etalon {
 bool offer_to_packet(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet);
 
 /// Returns whether several rays are tested at a time, not one after another.
-bool has_packet_kernel(const Geometry& geometry, const Primitive& primitive);
+bool has_packet_kernel(const Primitive& primitive);
 
 }  // namespace etalon

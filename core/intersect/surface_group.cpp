@@ -86,6 +86,13 @@ std::uint64_t find_box(const Box& b, const SurfacePoint& any, const SurfaceGroup
 std::uint64_t find_plane(const Plane& p, const SurfacePoint& any, const SurfaceGroup& group) {
     return find(p, any, group);
 }
+std::uint64_t find_polygon(const StoredPolygon& p, const SurfacePoint& any,
+                           const SurfaceGroup& group) {
+    return find(p, any, group);
+}
+std::uint64_t find_cone(const Cone& c, const SurfacePoint& any, const SurfaceGroup& group) {
+    return find(c, any, group);
+}
 std::uint64_t find_triangle(const TriangleCorners& p, const SurfacePoint& any,
                             const SurfaceGroup& group) {
     return find(p, any, group);
@@ -100,11 +107,15 @@ namespace etalon {
 HWY_EXPORT(find_sphere);
 HWY_EXPORT(find_box);
 HWY_EXPORT(find_plane);
+HWY_EXPORT(find_polygon);
+HWY_EXPORT(find_cone);
 HWY_EXPORT(find_triangle);
 
-bool has_surface_group(const Primitive& p) {
+bool has_surface_group(const Geometry& geometry, const Primitive& p) {
     if (p.kind == kind_of<Triangle>()) return p.normal_offset == no_index;
-    return p.kind == kind_of<Sphere>() || p.kind == kind_of<Box>() || p.kind == kind_of<Plane>();
+    if (p.kind == kind_of<Polygon>()) return geometry.get<Polygon>(p).normals.empty();
+    return p.kind == kind_of<Sphere>() || p.kind == kind_of<Box>() || p.kind == kind_of<Plane>() ||
+           p.kind == kind_of<Cone>();
 }
 
 std::uint64_t find_surfaces(const Geometry& geometry, const Primitive& p, const SurfacePoint& any,
@@ -116,6 +127,10 @@ std::uint64_t find_surfaces(const Geometry& geometry, const Primitive& p, const 
             return HWY_DYNAMIC_DISPATCH(find_box)(geometry.get<Box>(p), any, group);
         case kind_of<Plane>():
             return HWY_DYNAMIC_DISPATCH(find_plane)(geometry.get<Plane>(p), any, group);
+        case kind_of<Polygon>():
+            return HWY_DYNAMIC_DISPATCH(find_polygon)(geometry.get<Polygon>(p), any, group);
+        case kind_of<Cone>():
+            return HWY_DYNAMIC_DISPATCH(find_cone)(geometry.get<Cone>(p), any, group);
         default: {
             const TriangleCorners corners(geometry, geometry.get<Triangle>(p));
             return HWY_DYNAMIC_DISPATCH(find_triangle)(corners, any, group);

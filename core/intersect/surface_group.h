@@ -22,7 +22,7 @@ struct SurfaceGroup {
 };
 
 /// Returns whether there is a kernel for groups of hits on the primitive.
-bool has_surface_group(const Primitive& primitive);
+bool has_surface_group(const Geometry& geometry, const Primitive& primitive);
 
 /// Sets the points of a group of hits on such a primitive, with the bits of surface_at(). `any` is
 /// one of the points, found by surface_at(). Returns a bit for each point, the lowest bit first. A

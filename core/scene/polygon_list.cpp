@@ -1,14 +1,10 @@
 #include "core/scene/polygon_list.h"
 
-#include <algorithm>
-
+#include "core/scene/projected_outline.h"
 #include "core/scene/spare_room.h"
 
 namespace etalon {
 namespace {
-
-/// Least number of corners of a polygon with columns: for fewer, kernels gain nothing from them.
-constexpr std::size_t least_corners_for_columns = 8;
 
 template <class T>
 std::uint32_t append(LargeVector<T>& to, std::span<const T> items) {
@@ -47,16 +43,9 @@ void PolygonList::work_out(Entry& entry) {
 }
 
 void PolygonList::fill_columns(const Entry& entry) {
-    const std::span<const Vec3> corners = corners_of(entry);
-    const auto& [plane, box, projection] = entry.facts;
     const std::size_t length = edges_in_columns(entry) + 1;
-    double *x = &columns_[entry.columns], *y = x + length;
-    for (std::size_t i = 0; i < length; ++i) {
-        const std::size_t last = corners.size() - 1;
-        const Vec3 p = corners[i == 0 ? last : std::min(i - 1, last)] - box.min;
-        x[i] = p[projection.x_axis()] * projection.scale.x;
-        y[i] = p[projection.y_axis()] * projection.scale.y;
-    }
+    const auto columns = std::span(columns_).subspan(entry.columns, 2 * length);
+    project_outline(corners_of(entry), entry.facts, columns.first(length), columns.last(length));
 }
 
 void PolygonList::shrink_to_fit() {

@@ -146,7 +146,7 @@ void SeenSurfaces::add_run(const Scene& scene, const RayStream& rays, std::span<
         return surface_interaction(scene, rays[i], hits[i]);
     };
     const Primitive primitive = scene.geometry.primitives[hits[run.front()].primitive];
-    if (!has_surface_group(primitive)) {
+    if (!has_surface_group(scene.geometry, primitive)) {
         for (const std::uint32_t i : run) add(interaction(i), rays.directions[i], i);
         return;
     }

@@ -76,7 +76,7 @@ TEST_CASE("Surfaces: points of hits found together are those found alone, to the
         int found = 0, together = 0;
         for (const ShapeCase& shape : shape_cases()) {
             const Geometry& geometry = shape.scene.geometry;
-            if (!has_surface_group(geometry.primitives[0])) continue;
+            if (!has_surface_group(geometry, geometry.primitives[0])) continue;
             CAPTURE(shape.name);
             Random random(21);
             std::vector<Ray> rays;

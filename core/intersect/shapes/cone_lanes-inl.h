@@ -34,10 +34,13 @@ class ConeLanes {
         Vec3Lanes V = broadcast(cone_.base_radius) * G_;
         if (spread_ != 0) V = V + (broadcast(spread_) * d_.cross(w_) + broadcast(slope_) * m * h_);
         const Doubles V2 = V.dot(V), m2 = m * m, difference = V2 - m2;
-        const Doubles error_bound2 = broadcast((96 * u) * (96 * u)) * size2 * hn::Max(V2, m2);
-        const DoubleMask certain = hn::And(
-            hn::And(difference * difference > error_bound2, error_bound2 > broadcast(0x1p-1000)),
-            is_in_range(size2));
+        const Doubles error_bound2 =
+            broadcast(ConeBounds::of_difference * ConeBounds::of_difference) * size2 *
+            hn::Max(V2, m2);
+        const DoubleMask certain =
+            hn::And(hn::And(difference * difference > error_bound2,
+                            error_bound2 > broadcast(ConeBounds::least_error2)),
+                    is_in_range(size2));
         const DoubleMask missed = hn::And(certain, difference < broadcast(0));
         if (hn::AllTrue(DoubleTag(), missed)) return misses();
         const Doubles hh = broadcast(hh_);
@@ -48,14 +51,12 @@ class ConeLanes {
     }
 
   private:
-    static constexpr double u = unit_roundoff, of_sum = t_tolerance / 16, of_rest = t_tolerance / 4;
-
     HWY_INLINE DoubleMask is_in_range(Doubles size2) const {
         const Doubles least = hn::Min(hn::Min(broadcast(hh_), dd_), far2_);
         const Doubles most = broadcast(scale_) * size2;
-        const DoubleMask in_range =
-            hn::And(least > broadcast(0x1p-250),
-                    hn::And(most > broadcast(0x1p-750), most < broadcast(0x1p1000)));
+        const DoubleMask in_range = hn::And(least > broadcast(ConeBounds::least_size2),
+                                            hn::And(most > broadcast(ConeBounds::least_product),
+                                                    most < broadcast(ConeBounds::largest_product)));
         const bool has_radii = std::min(cone_.base_radius, cone_.top_radius) >= 0;
         return has_radii ? in_range : hn::FirstN(DoubleTag(), 0);
     }
@@ -67,8 +68,8 @@ class ConeLanes {
         const DoubleMask leaves = hn::And(hn::And(B_ > broadcast(0), A_ > unit * dd_),
                                           hn::And(C_ > unit * far2_, B_ * B_ > error_bound2));
         sum_ = hn::Abs(B_) + hn::Sqrt(discriminant);
-        const DoubleMask good =
-            root_error_bound2 + error_bound2 <= broadcast(of_sum * of_sum) * (sum_ * sum_);
+        const DoubleMask good = root_error_bound2 + error_bound2 <=
+                                broadcast(ConeBounds::of_sum * ConeBounds::of_sum) * (sum_ * sum_);
         HitLanes hits = sides == Sides::back ? misses() : crossings(-1);
         if (sides != Sides::front) {
             const HitLanes exits = crossings(1);
@@ -91,7 +92,7 @@ class ConeLanes {
         A_ = G_.dot(G_) - hh * (growth * growth);
         B_ = F.dot(G_) - hh * (radius * growth);
         C_ = F.dot(F) - hh * (radius * radius);
-        unit_ = 52 * u * scale_;
+        unit_ = ConeBounds::of_form * scale_;
     }
 
     /// Computes the entries (`way` -1) or exits (1).
@@ -101,7 +102,7 @@ class ConeLanes {
         const Doubles other = hn::IfThenElse(near, hn::Neg(sign) * C_, sign * A_);
         const Doubles error_bound = broadcast(unit_) * hn::IfThenElse(near, far2_, dd_);
         const DoubleMask behind = other < hn::Neg(error_bound);
-        const DoubleMask good = broadcast(of_rest) * other >= error_bound;
+        const DoubleMask good = broadcast(ConeBounds::of_rest) * other >= error_bound;
         HitLanes hits =
             clipped(hn::IfThenElse(near, other, sum_) / hn::IfThenElse(near, sum_, other));
         hits.t = hn::IfThenElse(behind, broadcast(no_hit), hits.t);
@@ -114,7 +115,8 @@ class ConeLanes {
         const Doubles inside = hn::Min(z, hh - z);
         const Doubles error_bound2 =
             broadcast(t_tolerance * t_tolerance) * (climb * climb) +
-            broadcast((16 * u) * (16 * u) * hh_) * (hh + far2_ + t * t * dd_);
+            broadcast(ConeBounds::of_height * ConeBounds::of_height * hh_) *
+                (hh + far2_ + t * t * dd_);
         const DoubleMask is_beyond = t > tmin_;
         const DoubleMask is_hit = hn::And(is_beyond, inside > broadcast(0));
         return {hn::IfThenElse(is_hit, t, broadcast(no_hit)),

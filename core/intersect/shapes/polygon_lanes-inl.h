@@ -1,4 +1,4 @@
-// first_hit() of a polygon with columns for several rays: see polygon.h and polygon_outline.cpp,
+// first_hit() of a polygon for several rays: see polygon.h and polygon_outline.cpp,
 // which derives the errors. Compiled for each instruction set.
 #if defined(ETALON_POLYGON_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_POLYGON_LANES_INL_H
@@ -123,7 +123,9 @@ HWY_INLINE Doubles within_box(const Box3& box, Doubles t, const RayLanes& rays) 
     return hn::IfThenElse(is_ahead(kept, rays), kept, broadcast(no_hit));
 }
 
-HWY_INLINE HitLanes first_hits(const StoredPolygon& p, Sides sides, const RayLanes& rays) {
+/// `columns` are those of the polygon, or of its SmallOutline.
+HWY_INLINE HitLanes first_hits(const StoredPolygon& p, const OutlineColumns& columns, Sides sides,
+                               const RayLanes& rays) {
     if (p.facts.box.isEmpty()) return misses();
     const PassageLanes passage(p, rays);
     const DoubleMask passes = passage.is_seen(sides, rays);
@@ -133,7 +135,7 @@ HWY_INLINE HitLanes first_hits(const StoredPolygon& p, Sides sides, const RayLan
     const DoubleMask is_known = hn::And(passage.is_plain, point.is_usable);
     const DoubleMask is_outside = point.is_outside();
     if (hn::AllTrue(DoubleTag(), hn::Or(missed, hn::And(is_known, is_outside)))) return misses();
-    const auto [full, unknown] = count_crossings(p.columns, p.corners.size(), point);
+    const auto [full, unknown] = count_crossings(columns, p.corners.size(), point);
     const Doubles t = hn::IfThenElse(hn::AndNot(is_outside, full),
                                      within_box(p.facts.box, passage.t, rays), broadcast(no_hit));
     return hit_lanes(t, missed, hn::And(is_known, hn::Or(is_outside, hn::Not(unknown))));

@@ -50,6 +50,34 @@ HWY_INLINE SurfaceLanes surfaces(const Plane& p, const SurfacePoint& any, const 
     return {position, error, normal, left <= most_left};
 }
 
+/// Computes points of a polygon without corner normals.
+HWY_INLINE SurfaceLanes surfaces(const StoredPolygon& p, const SurfacePoint& any,
+                                 const HitRays& hits) {
+    const Vec3Lanes normal = broadcast(any.normal);
+    const Vec3Lanes point = broadcast(p.corners[0] + p.facts.plane.mean);
+    const Vec3Lanes position = hits.point();
+    return {position - normal.dot(position - point) * normal, broadcast(any.error), normal,
+            all_decided()};
+}
+
+/// Computes points of a cone; that at an apex is left undecided.
+HWY_INLINE SurfaceLanes surfaces(const Cone& c, const SurfacePoint& any, const HitRays& hits) {
+    const Doubles zero = broadcast(0), one = broadcast(1);
+    const Vec3 axis = c.top - c.base;
+    const double length = std::sqrt(axis.dot(axis)), spread = c.top_radius - c.base_radius;
+    const Vec3Lanes h = broadcast(axis), base = broadcast(c.base);
+    const Vec3Lanes w = (hits.origin - base) + hits.t * hits.direction;
+    const Doubles along = w.dot(h) / broadcast(axis.dot(axis));
+    const Doubles s = hn::IfThenElse(along < zero, zero, hn::IfThenElse(one < along, one, along));
+    const Vec3Lanes radial = w - along * h;
+    const Doubles distance = hn::Sqrt(radial.dot(radial));
+    const Vec3Lanes outward = radial / distance;
+    const Vec3Lanes tilt = broadcast((spread / length) * axis);
+    const Vec3Lanes normal = normalized(broadcast(length) * outward - tilt);
+    const Doubles radius = broadcast(c.base_radius) + s * broadcast(spread);
+    return {base + s * h + radius * outward, broadcast(any.error), normal, distance > zero};
+}
+
 /// Where lines cross the slabs of a box, one axis after another, and the axes of the last entries
 /// and first exits: 0, 1 or 2.
 struct BoxFaces {
