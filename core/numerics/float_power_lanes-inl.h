@@ -16,12 +16,18 @@ namespace etalon::HWY_NAMESPACE {
 
 using Int64Tag = hn::RebindToSigned<DoubleTag>;
 
-/// Returns c[0] + c[1] x + c[2] x^2 + ... by Horner's rule.
+/// Returns c[0] + c[1] x + c[2] x^2 + ..., by Horner's rule for the even and the odd powers, which
+/// do not wait for each other.
 template <std::size_t count>
 HWY_INLINE Doubles polynomial(const std::array<double, count>& c, Doubles x) {
-    Doubles sum = broadcast(c[count - 1]);
-    for (std::size_t i = count - 1; i-- > 0;) sum = sum * x + broadcast(c[i]);
-    return sum;
+    static_assert(count % 2 == 0);
+    const Doubles x2 = x * x;
+    Doubles even = broadcast(c[count - 2]), odd = broadcast(c[count - 1]);
+    for (std::size_t i = count - 2; i > 0; i -= 2) {
+        even = hn::MulAdd(even, x2, broadcast(c[i - 2]));
+        odd = hn::MulAdd(odd, x2, broadcast(c[i - 1]));
+    }
+    return hn::MulAdd(odd, x, even);
 }
 
 /// Returns log2 of normal numbers above 0, with a relative error below 2^-44.
