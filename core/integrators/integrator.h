@@ -31,7 +31,7 @@ class Integrator {
 
     /// Number of samples that are best computed in one call: enough to share its cost, few enough
     /// to stay in a core's cache.
-    static constexpr std::size_t batch_size = 512;
+    static constexpr std::size_t batch_size = 1024;
 
     /// Sets `colors`, one for each sample, to be averaged with the others of the pixel. Adds the
     /// number of rays, including camera rays, to `counts`. A colour does not depend on the other

@@ -65,13 +65,14 @@ class PacketIntersector::Occluded {
     /// those that the primitives found to occlude some of them occlude. `blocked` is 0 before.
     void answer(RayPacket& packet, std::span<std::uint8_t> blocked) {
         NearPrimitives::Room room;
-        const auto near = all_.near_.find(packet, room);
+        auto near = all_.near_.find(packet, room);
         if (!near) return;
         const bool are_few = all_.near_.are_few(*near, packet);
         const auto last = std::ranges::find(*near, last_occluder_);
         if (last != near->end()) {
-            std::swap(*last, near->front());
-            if (!are_few) offer(last_occluder_, packet, blocked);
+            offer(*last, packet, blocked);
+            *last = near->back();
+            near = near->first(near->size() - 1);
         }
         if (!are_few) return remove_occluded(packet, blocked);
         for (const std::uint32_t primitive : *near) {
@@ -94,18 +95,18 @@ class PacketIntersector::Occluded {
         last_occluder_ = primitive;
     }
 
-    /// Removes the rays that are occluded by what occludes the packet's first ray, as long as this
-    /// leaves few.
+    /// Removes the rays that are occluded by what occludes the packet's first ray, as long as that
+    /// is worth it.
     void remove_occluded(RayPacket& packet, std::span<std::uint8_t> blocked) {
-        constexpr std::size_t least_rays = 8, least_removed = 8;  // the latter: one of so many
-        for (std::size_t before = 0; packet.count >= least_rays;) {
-            before = packet.count;
+        constexpr std::size_t least_rays = 8, least_share = 8;  // one ray in so many
+        for (bool helps = true; helps && packet.count >= least_rays;) {
+            const std::size_t before = packet.count;
             const Ray ray = packet.ray(0);
             Hit hit;
             all_.backend_.closest({&ray, 1}, {&hit, 1});
             if (hit.primitive == no_index) return;
             offer(hit.primitive, packet, blocked);
-            if (least_removed * (before - packet.count) < before) return;
+            helps = least_share * (before - packet.count) >= before;
         }
     }
 
