@@ -29,7 +29,7 @@ TestScene p3f_scene(const std::string& statements, int samples = 64) {
     return loaded(load_scene_text("p3f\nspp " + std::to_string(samples) + "\n" + statements +
                                       "camera\neye 0 0 5\nat 0 0 0\nup 0 1 0\nangle 1\n"
                                       "hither 0.01\nresolution 8 8\naperture 0\nfocal 1\n",
-                                  "a.p3f", {"p3f"}));
+                                  "a.p3f"));
 }
 
 Color mean(const std::vector<Color>& pixels) {
