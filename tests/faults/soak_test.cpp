@@ -73,7 +73,9 @@ void check_flat(int warm_up, int rounds, std::size_t scenes_of_a_round) {
     const std::size_t after = resident_bytes();
     CAPTURE(before, after, rendered, next);
     CHECK(rendered > next / 2);
+#ifndef ETALON_SANITIZED  // a sanitizer keeps what was freed, to find its use
     CHECK(after < before + (8 << 20));
+#endif
 }
 
 }  // namespace
