@@ -92,7 +92,7 @@ TEST_CASE("An interrupted etalon-bench convergence gives the curves until then",
     const auto r = interrupted(f,
                                "etalon-bench convergence spheres:200000 --samplers sobol "
                                "--backends bvh,none --seeds 200 --spp 4 --width 16 --json c.json",
-                               "grep -q ' 50 %' err");  // the first of two curves is done
+                               "grep -qE ' [5-9][0-9] %' err");  // the first of two curves is done
     CHECK(r.status == 130);
     CHECK_THAT(r.out, ContainsSubstring("Stopped by a signal"));
     const json j = json::parse(f.read("c.json"));
