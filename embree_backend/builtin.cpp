@@ -42,14 +42,14 @@ std::array<float, 12> columns_of(const Affine& map) {
 
 }  // namespace
 
-EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal, const Device& of_scene)
+EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal,
+                             const SceneDevice* of_scene)
     : Intersector(geometry),
-      is_object_(of_scene != nullptr),
-      device_(is_object_ ? of_scene : std::make_shared<const EmbreeDevice>()),
+      device_(of_scene),
       others_(geometry, *this),
       embree_scene_(rtcNewScene(device_->handle())) {
     device_->check();
-    build_objects<EmbreeBuiltin>(traversal, device_);
+    build_objects<EmbreeBuiltin>(traversal, &device_);
     if (traversal == Traversal::robust) {
         rtcSetSceneFlags(embree_scene_.get(), RTC_SCENE_FLAG_ROBUST);
     }
@@ -126,7 +126,7 @@ bool EmbreeBuiltin::has_own_kernels(const Geometry& geometry) {
 std::size_t EmbreeBuiltin::own_bytes() const {
     std::size_t tables = others_.memory_bytes() + instances_.size() * sizeof(std::uint32_t);
     for (const PrimitiveIds& ids : ids_) tables += ids.memory_bytes();
-    return tables + (is_object_ ? 0 : device_->bytes());
+    return tables + device_.bytes();
 }
 
 void EmbreeBuiltin::closest_bounded(const RayQuery& query, const NormalizedRay& local,

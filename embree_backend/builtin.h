@@ -22,12 +22,9 @@ class EmbreeBuiltin final : public Intersector {
         robust,  ///< RTC_SCENE_FLAG_ROBUST: fewer leaks between triangles, 5 to 40 % slower
     };
 
-    using Device = std::shared_ptr<const EmbreeDevice>;
-
-    /// Throws as EmbreeDevice does. An object is built on the device of the scene that contains it,
-    /// as Embree requires of instances; without a given device one is created.
+    /// Throws as EmbreeDevice does. For `of_scene` see SceneDevice.
     explicit EmbreeBuiltin(const Geometry& geometry, Traversal traversal = Traversal::fast,
-                           const Device& of_scene = nullptr);
+                           const SceneDevice* of_scene = nullptr);
 
     /// Returns whether Embree has a geometry for any of the primitives.
     static bool has_own_kernels(const Geometry& geometry);
@@ -51,8 +48,7 @@ class EmbreeBuiltin final : public Intersector {
     void attach_shapes(std::map<RTCGeometryType, std::vector<std::uint32_t>>&& by_type);
     void attach_instance(std::uint32_t item, const Affine& map);
 
-    bool is_object_;
-    Device device_;
+    SceneDevice device_;
     std::vector<PrimitiveIds> ids_;         ///< for each geometry of Embree's own shapes
     std::vector<std::uint32_t> instances_;  ///< items that are Embree's own instances
     UserPrimitives others_;

@@ -48,4 +48,25 @@ class EmbreeDevice {
     EmbreeOwned<RTCDevice> device_;  ///< reports to bytes_ until it is released
 };
 
+/// The device of a scene, which the intersectors of its objects share: Embree requires that of its
+/// instances, and making a device takes longer than building a small object.
+class SceneDevice {
+  public:
+    /// Creates a device, or shares that of the scene which contains an object. Throws as
+    /// EmbreeDevice does.
+    explicit SceneDevice(const SceneDevice* of_scene)
+        : is_shared_(of_scene != nullptr),
+          device_(is_shared_ ? of_scene->device_ : std::make_shared<const EmbreeDevice>()) {}
+
+    const EmbreeDevice& operator*() const { return *device_; }
+    const EmbreeDevice* operator->() const { return device_.get(); }
+
+    /// Returns the bytes that the device uses; 0 for an object, whose scene counts them.
+    std::size_t bytes() const { return is_shared_ ? 0 : device_->bytes(); }
+
+  private:
+    bool is_shared_;
+    std::shared_ptr<const EmbreeDevice> device_;
+};
+
 }  // namespace etalon

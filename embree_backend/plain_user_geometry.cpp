@@ -132,11 +132,13 @@ void occluded_by_primitive(const RTCOccludedFunctionNArguments* arguments) {
 
 /// A primitive's number in the geometry is its number in the scene. RTC_SCENE_FLAG_ROBUST is not
 /// set: Embree's traversal of user geometries ignores it.
-PlainUserGeometry::PlainUserGeometry(const Geometry& geometry)
-    : Intersector(geometry, plain_bounds(geometry)), embree_scene_(rtcNewScene(device_.handle())) {
-    build_objects<PlainUserGeometry>();
-    const EmbreeOwned<RTCGeometry> owned(rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER));
-    device_.check();
+PlainUserGeometry::PlainUserGeometry(const Geometry& geometry, const SceneDevice* of_scene)
+    : Intersector(geometry, plain_bounds(geometry)),
+      device_(of_scene),
+      embree_scene_(rtcNewScene(device_->handle())) {
+    build_objects<PlainUserGeometry>(&device_);
+    const EmbreeOwned<RTCGeometry> owned(rtcNewGeometry(device_->handle(), RTC_GEOMETRY_TYPE_USER));
+    device_->check();
     RTCGeometry primitives = owned.get();
     BoundsQuery data{PlainBoxes(geometry), scene_bounds().space};
     rtcSetGeometryUserPrimitiveCount(primitives, geometry.item_count());
@@ -146,7 +148,7 @@ PlainUserGeometry::PlainUserGeometry(const Geometry& geometry)
     rtcSetGeometryOccludedFunction(primitives, occluded_by_primitive);
     rtcCommitGeometry(primitives);
     rtcAttachGeometry(embree_scene_.get(), primitives);
-    device_.commit(embree_scene_.get());
+    device_->commit(embree_scene_.get());
 }
 
 void PlainUserGeometry::closest_bounded(const RayQuery& query, const NormalizedRay& local,

@@ -12,10 +12,10 @@ namespace etalon {
 /// for ties and the normalized space of the rays with all backends.
 class PlainUserGeometry final : public Intersector {
   public:
-    /// Throws as EmbreeDevice does.
-    explicit PlainUserGeometry(const Geometry& geometry);
+    /// Throws as EmbreeDevice does. For `of_scene` see SceneDevice.
+    explicit PlainUserGeometry(const Geometry& geometry, const SceneDevice* of_scene = nullptr);
 
-    std::string isa() const override { return device_.isa(); }
+    std::string isa() const override { return device_->isa(); }
 
   protected:
     std::size_t own_bytes() const override { return device_.bytes(); }
@@ -24,7 +24,7 @@ class PlainUserGeometry final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override;
 
   private:
-    EmbreeDevice device_;
+    SceneDevice device_;
     EmbreeOwned<RTCScene> embree_scene_;
 };
 

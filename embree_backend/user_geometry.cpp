@@ -4,16 +4,17 @@
 
 namespace etalon {
 
-EmbreeUserGeometry::EmbreeUserGeometry(const Geometry& geometry)
+EmbreeUserGeometry::EmbreeUserGeometry(const Geometry& geometry, const SceneDevice* of_scene)
     : Intersector(geometry),
+      device_(of_scene),
       primitives_(geometry, *this, &objects_),
-      embree_scene_(rtcNewScene(device_.handle())) {
-    device_.check();
-    build_objects<EmbreeUserGeometry>();
+      embree_scene_(rtcNewScene(device_->handle())) {
+    device_->check();
+    build_objects<EmbreeUserGeometry>(&device_);
     for (std::uint32_t i = 0; i < geometry.objects.size(); ++i) {
         objects_.push_back(static_cast<const EmbreeUserGeometry&>(object(i)).primitives_.view());
     }
-    primitives_.build(device_, embree_scene_.get(), 0, scene_bounds().space, take_bounded());
+    primitives_.build(*device_, embree_scene_.get(), 0, scene_bounds().space, take_bounded());
 }
 
 std::size_t EmbreeUserGeometry::own_bytes() const {

@@ -10,10 +10,10 @@ namespace etalon {
 /// hits are those of every other exact backend to the last bit.
 class EmbreeUserGeometry final : public Intersector {
   public:
-    /// Throws as EmbreeDevice does.
-    explicit EmbreeUserGeometry(const Geometry& geometry);
+    /// Throws as EmbreeDevice does. For `of_scene` see SceneDevice.
+    explicit EmbreeUserGeometry(const Geometry& geometry, const SceneDevice* of_scene = nullptr);
 
-    std::string isa() const override { return device_.isa(); }
+    std::string isa() const override { return device_->isa(); }
 
   protected:
     std::size_t own_bytes() const override;
@@ -22,7 +22,7 @@ class EmbreeUserGeometry final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override;
 
   private:
-    EmbreeDevice device_;
+    SceneDevice device_;
     std::vector<UserView> objects_;
     UserPrimitives primitives_;
     EmbreeOwned<RTCScene> embree_scene_;
