@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
-#include "core/intersect/kernels.h"
-#include "core/intersect/local_rays.h"
+#include "core/intersect/intersector_items.h"
 #include "core/intersect/object_space.h"
 #include "core/intersect/packet_kernels.h"
-#include "core/intersect/placement.h"
 #include "core/intersect/rescaled_ray.h"
 #include "core/numerics/denormals.h"
 
@@ -21,6 +19,10 @@ bool are_planes(const Geometry& geometry, std::span<const std::uint32_t> items) 
         const Primitive p = geometry.primitives[item];
         return p.kind == kind_of<Plane>() && has_packet_kernel(p);
     });
+}
+
+std::optional<Hit> found(const Hit& hit) {
+    return hit.primitive == no_index ? std::nullopt : std::optional(hit);
 }
 
 }  // namespace
@@ -41,53 +43,6 @@ std::size_t Intersector::memory_bytes() const {
     std::size_t bytes = own_bytes();
     for (const auto& object : objects_) bytes += object->memory_bytes();
     return bytes;
-}
-
-void Intersector::offer_instance(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
-                                 TraversalCost* cost) const {
-    const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
-    Ray ray = to_object(*instance, query.ray);
-    const Intersector& object = *objects_[instance->object];
-    const bool misses = misses_bounds(object.bounds_.space, ray);
-    if (misses && object.bounds_.unbounded.empty()) return;
-    ray.tmax = nearest.t;
-    const NearestHit hit = object.nearest_hit(ray, misses, cost);
-    if (hit.found()) nearest.offer(hit.t, item, hit.item);
-}
-
-bool Intersector::instance_occludes(std::uint32_t item, const RayQuery& query) const {
-    const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
-    const Ray ray = to_object(*instance, query.ray);
-    const Intersector& object = *objects_[instance->object];
-    const bool misses = misses_bounds(object.bounds_.space, ray);
-    return !(misses && object.bounds_.unbounded.empty()) && object.is_occluded(ray, misses);
-}
-
-void Intersector::offer_entered(std::uint32_t item, const RayQuery& in_object,
-                                const NormalizedRay& local, NearestHit& nearest) const {
-    NearestHit hit(nearest.t);
-    object_of(item).closest_bounded(in_object, local, hit);
-    if (hit.found()) nearest.offer(hit.t, item, hit.item);
-}
-
-bool Intersector::entered_occludes(std::uint32_t item, const RayQuery& in_object,
-                                   const NormalizedRay& local) const {
-    return object_of(item).occluded_bounded(in_object, local);
-}
-
-const Intersector& Intersector::object_of(std::uint32_t item) const {
-    return *objects_[geometry_.instances[geometry_.instance_number(item)].object];
-}
-
-inline void Intersector::offer(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
-                               TraversalCost* cost) const {
-    if (geometry_.is_instance(item)) return offer_instance(item, query, nearest, cost);
-    nearest.offer(primitive_first_hit(geometry_, item, query), item);
-}
-
-inline bool Intersector::occludes(std::uint32_t item, const RayQuery& query) const {
-    if (geometry_.is_instance(item)) return instance_occludes(item, query);
-    return primitive_first_hit(geometry_, item, query) <= query.ray.tmax;
 }
 
 NearestHit Intersector::nearest_unresolved(const Ray& ray, TraversalCost* cost) const {
@@ -151,89 +106,6 @@ bool Intersector::is_occluded(const Ray& ray, bool misses) const {
     }
     return local && occluded_bounded(query, *local);
 }
-
-template <class Answer, class AnswerAlone, class AnswerLocal>
-void Intersector::answer_all(std::span<const Ray> rays, std::span<Answer> answers,
-                             const AnswerAlone& alone, const AnswerLocal& local) const {
-    const DenormalsCount denormals_count;
-    LocalRays local_rays;
-    RayPacket planes;
-    while (!rays.empty()) {
-        const std::size_t count = std::min(LocalRays::most, rays.size());
-        const RayColumns columns(rays.first(count));
-        local_rays.set(bounds_.space, columns);
-        const bool offers_planes = has_only_planes_ && columns.are_common();
-        if (offers_planes) {
-            planes.set(0, rays.first(count), columns);
-            for (const std::uint32_t item : bounds_.unbounded)
-                offer_to_packet(geometry_, item, planes);
-        }
-        const Chunk chunk{local_rays, offers_planes ? &planes : nullptr};
-        for (std::size_t i = 0; i < count; ++i) {
-            const bool is_alone = local_rays.kind(i) == LocalRays::Kind::slow_path;
-            answers[i] = is_alone ? alone(rays[i]) : local(rays[i], chunk, i);
-        }
-        rays = rays.subspan(count);
-        answers = answers.subspan(count);
-    }
-}
-
-/// Returns the nearest hit on an unbounded primitive, for ray number i of a chunk.
-NearestHit Intersector::nearest_unbounded(const RayQuery& query, const Chunk& chunk,
-                                          std::size_t i) const {
-    NearestHit nearest(query.ray.tmax);
-    if (chunk.planes == nullptr) {
-        for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, nullptr);
-    } else {
-        const Hit hit = chunk.planes->hit(i);
-        nearest.t = hit.t;
-        nearest.item = hit.primitive;
-    }
-    return nearest;
-}
-
-Hit Intersector::closest_local(const Ray& ray, const Chunk& chunk, std::size_t i) const {
-    const bool enters = chunk.rays.kind(i) == LocalRays::Kind::enters;
-    if (!enters && bounds_.unbounded.empty()) return hit_of(NearestHit(ray.tmax));
-    const RayQuery query(ray, chunk.rays.dominant(i));
-    NearestHit nearest = nearest_unbounded(query, chunk, i);
-    if (enters) closest_bounded(query, chunk.rays.ray(i), nearest);
-    return hit_of(nearest);
-}
-
-bool Intersector::is_occluded_local(const Ray& ray, const Chunk& chunk, std::size_t i) const {
-    const bool enters = chunk.rays.kind(i) == LocalRays::Kind::enters;
-    if (chunk.planes != nullptr && chunk.planes->hit(i).primitive != no_index) return true;
-    const bool tests_unbounded = chunk.planes == nullptr && !bounds_.unbounded.empty();
-    if (!enters && !tests_unbounded) return false;
-    const RayQuery query(ray, chunk.rays.dominant(i));
-    const auto blocks = [&](std::uint32_t item) { return occludes(item, query); };
-    if (tests_unbounded && std::ranges::any_of(bounds_.unbounded, blocks)) return true;
-    return enters && occluded_bounded(query, chunk.rays.ray(i));
-}
-
-void Intersector::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
-    const auto alone = [&](const Ray& ray) { return hit_of(nearest_hit(ray)); };
-    answer_all(rays, hits, alone, [&](const Ray& ray, const Chunk& chunk, std::size_t i) {
-        return closest_local(ray, chunk, i);
-    });
-}
-
-void Intersector::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
-    const auto alone = [&](const Ray& ray) -> std::uint8_t { return is_occluded(ray) ? 1 : 0; };
-    answer_all(rays, blocked, alone,
-               [&](const Ray& ray, const Chunk& chunk, std::size_t i) -> std::uint8_t {
-                   return is_occluded_local(ray, chunk, i) ? 1 : 0;
-               });
-}
-
-namespace {
-
-std::optional<Hit> found(const Hit& hit) {
-    return hit.primitive == no_index ? std::nullopt : std::optional(hit);
-}
-
-}  // namespace
 
 std::optional<Hit> Intersector::closest(const Ray& ray) const {
     const DenormalsCount denormals_count;
