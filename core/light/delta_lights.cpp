@@ -1,9 +1,14 @@
 #include "core/light/delta_lights.h"
 
 #include <cmath>
+#include <numbers>
+
+#include "core/numerics/luminance.h"
 
 namespace etalon {
 namespace {
+
+constexpr double pi = std::numbers::pi;
 
 /// Returns a smooth transition from 0 at the border of a spotlight's cone to 1.
 double spot_falloff(const SpotSource& s, const Vec3& direction) {
@@ -66,6 +71,33 @@ struct DeltaSample {
     const SphericalImage* image;  ///< of a light that has one
 };
 
+/// Returns the solid angle of a rectangle with these half sides at distance 1, about its middle.
+double solid_angle(const Vec2& half) {
+    const double diagonal = std::sqrt(1 + half.length2());
+    return 4 * std::atan(half.x * half.y / diagonal);
+}
+
+struct DeltaPower {
+    double operator()(const PointSource& s) const { return 4 * pi * luminance(s.intensity); }
+    double operator()(const SpotSource& s) const {
+        return 2 * pi * luminance(s.intensity) * (1 - (s.cos_falloff + s.cos_total) / 2);
+    }
+    double operator()(const GoniometricSource& s) const { return 4 * pi * luminance(s.intensity); }
+    double operator()(const ProjectionSource& s) const {
+        return solid_angle(half_window(s, *image)) * luminance(s.intensity);
+    }
+    double operator()(const DistantSource& s) const {
+        return pi * scene_radius * scene_radius * luminance(s.radiance);
+    }
+    template <class Other>
+    double operator()(const Other&) const {
+        return 0;
+    }
+
+    const SphericalImage* image;  ///< of a light that has one
+    double scene_radius;
+};
+
 }  // namespace
 
 Vec2 half_window(const ProjectionSource& s, const SphericalImage& image) {
@@ -76,6 +108,11 @@ Vec2 half_window(const ProjectionSource& s, const SphericalImage& image) {
 LightSample sample_delta_light(const PhysicalLight& light, const SphericalImage* image,
                                const Vec3& from) {
     return std::visit(DeltaSample{from, image}, light);
+}
+
+double delta_light_power(const PhysicalLight& light, const SphericalImage* image,
+                         double scene_radius) {
+    return std::visit(DeltaPower{image, scene_radius}, light);
 }
 
 }  // namespace etalon

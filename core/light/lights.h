@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/intersect/surface.h"
-#include "core/light/area_shape.h"
+#include "core/light/area_light.h"
 #include "core/light/infinite_light.h"
 #include "core/light/light_sample.h"
 #include "core/light/light_tree.h"
@@ -85,19 +85,6 @@ class Lights {
     }
 
   private:
-    struct AreaLight {
-        AreaShape shape;
-        Color radiance;
-        BoundingSphere bounds;
-        std::optional<Vec3> flat_front;  ///< normal of the emitting side, if the light is flat
-        bool flipped, two_sided;
-        double exitance;  ///< area times luminance
-        Box3 box{};       ///< box of the shape
-
-        bool turns_from(const Vec3& point) const;
-        bool shines(const Vec3& normal, const Vec3& ray) const;
-        double facing(const Vec3& back) const;
-    };
     struct Source {
         const PhysicalLight* light;
         std::uint32_t index;  ///< among the area or the infinite lights, or the images of others
@@ -109,8 +96,11 @@ class Lights {
 
     void add(const PhysicalLight& light, std::vector<std::string>& problems,
              SkySampling sky_sampling);
+    Source area_source(const PhysicalLight& light);
+    Source infinite_source(const PhysicalLight& light, std::vector<std::string>& problems,
+                           SkySampling sky_sampling);
+    Source delta_source(const PhysicalLight& light, std::vector<std::string>& problems);
     bool add_half(const PhysicalLight& light);
-    void add_area(const AreaSource& source, double& power);
     LightSample sample_delta(const Source& source, const Vec3& from) const;
     double importance(const Source& source, const Receiver& at) const;
     LightBounds bounds_of(const Source& source) const;

@@ -1,7 +1,6 @@
 // Choice of the light to sample at a point, by the lights' unoccluded contributions.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 
 #include "core/light/lights.h"
@@ -12,28 +11,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Returns the largest cosine, not below 0, between a unit vector and directions to a sphere.
-double largest_cosine(const Vec3& normal, const Vec3& to_centre, double radius) {
-    const double distance2 = to_centre.dot(to_centre), radius2 = radius * radius;
-    if (distance2 <= radius2) return 1;
-    const double distance = std::sqrt(distance2);
-    const double cosine = std::clamp(normal.dot(to_centre) / distance, -1.0, 1.0);
-    const double sine = std::sqrt(1 - cosine * cosine);
-    const double sine_half = radius / distance, cos_half = std::sqrt(1 - sine_half * sine_half);
-    if (cosine >= cos_half) return 1;
-    return std::max(0.0, cosine * cos_half + sine * sine_half);  // of the difference of the angles
-}
-
 }  // namespace
-
-/// Returns a bound on the cosine between the front's normal and directions to a point; `back` is
-/// relative to the middle of the light.
-double Lights::AreaLight::facing(const Vec3& back) const {
-    if (!flat_front) return 1;
-    const double front = largest_cosine(*flat_front, back, bounds.radius);
-    if (two_sided) return std::max(front, largest_cosine(-*flat_front, back, bounds.radius));
-    return flat_front->dot(back) > 0 ? front : 0;
-}
 
 /// Returns approximately the unoccluded irradiance of a light at the point, never 0 where there is
 /// any.

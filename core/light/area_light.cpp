@@ -1,0 +1,95 @@
+#include "core/light/area_light.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/intersect/kernels.h"
+#include "core/numerics/luminance.h"
+
+namespace etalon {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double area_of(const AreaShape& shape) {
+    return std::visit([](const auto& s) { return s.area(); }, shape);
+}
+
+BoundingSphere bounds_of(const AreaShape& shape) {
+    return std::visit([](const auto& s) { return s.bounds(); }, shape);
+}
+
+/// Returns the sum of the normals at a triangle's corners.
+Vec3 sum_of_normals(const Geometry& geometry, const Triangle& triangle) {
+    Vec3 sum(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        sum += geometry.normals[Geometry::normal_number(triangle, k)];
+    }
+    return sum;
+}
+
+/// Returns the normal of the side that emits; that of a shape by itself is `normal`. Normals at
+/// corners tell which side of a triangle is the front.
+Vec3 front(const Geometry& geometry, const Primitive& primitive, const SurfaceBinding& binding,
+           const Vec3& normal) {
+    const double sign = binding.flipped ? -1 : 1;
+    const Vec3 own = normal * sign;
+    if (!binding.corner_normals) return own;
+    const Vec3 sum = sum_of_normals(geometry, geometry.get<Triangle>(primitive)) * sign;
+    return own.dot(sum) < 0 ? -own : own;
+}
+
+}  // namespace
+
+void AreaLight::join(const AreaShape& both, const Box3& other_half) {
+    exitance *= area_of(both) / area_of(shape);
+    shape = both;
+    bounds = bounds_of(both);
+    box.extendBy(other_half);
+}
+
+bool AreaLight::shines(const Vec3& normal, const Vec3& ray) const {
+    if (two_sided) return true;
+    const Vec3 front = flat_front ? *flat_front : flipped ? -normal : normal;
+    return front.dot(ray) < 0;
+}
+
+bool AreaLight::turns_from(const Vec3& point) const {
+    return flat_front && !two_sided && flat_front->dot(point - bounds.centre) <= 0;
+}
+
+double AreaLight::facing(const Vec3& back) const {
+    if (!flat_front) return 1;
+    const double front = largest_cosine(*flat_front, back, bounds.radius);
+    if (two_sided) return std::max(front, largest_cosine(-*flat_front, back, bounds.radius));
+    return flat_front->dot(back) > 0 ? front : 0;
+}
+
+LightBounds AreaLight::light_bounds() const {
+    const double sides = two_sided ? 2 : 1;
+    if (flat_front) return {box, {*flat_front, 0, pi / 2, two_sided}, exitance / sides};
+    // A sphere shows a quarter of its area.
+    return {box, {{0, 0, 1}, pi, pi / 2, false}, exitance / (4 * sides)};
+}
+
+AreaLight area_light(const Scene& scene, const AreaSource& source) {
+    const Geometry& geometry = scene.geometry;
+    const Primitive primitive = geometry.primitives[source.primitive];
+    const SurfaceBinding& binding = scene.physical().bindings[primitive.material];
+    const std::optional<AreaShape> own = area_shape(geometry, source.primitive);
+    const AreaShape shape = own.value_or(SphereArea(Sphere{Vec3(0), 1}));
+    const double sides = source.two_sided ? 2 : 1;
+    AreaLight light{shape,
+                    source.radiance,
+                    bounds_of(shape),
+                    std::visit([](const auto& s) { return s.flat_normal(); }, shape),
+                    binding.flipped,
+                    source.two_sided,
+                    own ? area_of(shape) * luminance(source.radiance) * sides : 0,
+                    primitive_bounds(geometry, source.primitive)};
+    if (light.flat_front)
+        *light.flat_front = front(geometry, primitive, binding, *light.flat_front);
+    return light;
+}
+
+}  // namespace etalon

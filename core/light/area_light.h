@@ -1,0 +1,40 @@
+// A primitive that emits light: which side of it shines, and how much it may send where.
+#pragma once
+
+#include <optional>
+
+#include "core/light/area_shape.h"
+#include "core/light/light_bounds.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// A light made by area_light().
+struct AreaLight {
+    /// Joins the other half of a quadrilateral to the light.
+    void join(const AreaShape& both, const Box3& other_half);
+
+    /// Returns whether the light shines back along a ray that hits it where it has the normal.
+    bool shines(const Vec3& normal, const Vec3& ray) const;
+
+    /// Returns whether a one-sided flat light shines only to the other side of its plane.
+    bool turns_from(const Vec3& point) const;
+
+    /// Returns a bound on the cosine between the front's normal and directions to a point; `back`
+    /// is relative to the middle of the light.
+    double facing(const Vec3& back) const;
+
+    LightBounds light_bounds() const;
+
+    AreaShape shape;
+    Color radiance;
+    BoundingSphere bounds;
+    std::optional<Vec3> flat_front;  ///< normal of the emitting side, if the light is flat
+    bool flipped, two_sided;
+    double exitance;  ///< area times luminance; 0 for a primitive of a kind that cannot be sampled
+    Box3 box;         ///< box of the shape
+};
+
+AreaLight area_light(const Scene& scene, const AreaSource& source);
+
+}  // namespace etalon

@@ -1,0 +1,143 @@
+// Collects the lights of a scene and prepares the choice between them.
+#include <algorithm>
+#include <numbers>
+
+#include "core/intersect/kernels.h"
+#include "core/light/delta_lights.h"
+#include "core/light/lights.h"
+#include "core/light/scene_radius.h"
+#include "core/numerics/luminance.h"
+
+namespace etalon {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Bounds of the lights that are points.
+struct PointBounds {
+    LightBounds operator()(const SpotSource& s) const {
+        const double falloff = std::acos(std::clamp(s.cos_falloff, -1.0, 1.0)),
+                     total = std::acos(std::clamp(s.cos_total, -1.0, 1.0));
+        return {Box3(s.position),
+                {s.axis, falloff, std::max(0.0, total - falloff), false},
+                luminance(s.intensity)};
+    }
+    template <class Other>
+    LightBounds operator()(const Other& s) const {
+        if constexpr (requires { s.position; }) {
+            return {Box3(s.position), {{0, 0, 1}, pi, 0, false}, luminance(s.intensity)};
+        }
+        return {};
+    }
+};
+
+bool is_point_light(const PhysicalLight& light) {
+    return std::holds_alternative<PointSource>(light) ||
+           std::holds_alternative<SpotSource>(light) ||
+           std::holds_alternative<GoniometricSource>(light);
+}
+
+/// Returns the name of a light's image; null if its kind has none.
+const std::string* image_file(const PhysicalLight& light) {
+    if (const auto* const g = std::get_if<GoniometricSource>(&light)) return &g->image;
+    if (const auto* const p = std::get_if<ProjectionSource>(&light)) return &p->image;
+    return nullptr;
+}
+
+}  // namespace
+
+Lights::Lights(const Scene& scene, std::vector<std::string>& problems, SkySampling sky_sampling)
+    : scene_(scene), scene_radius_(etalon::scene_radius(scene.geometry)) {
+    for (const PhysicalLight& light : scene.physical().lights) add(light, problems, sky_sampling);
+    double point_power = 0;
+    for (const Source& source : sources_) {
+        samples_ += static_cast<std::size_t>(source.samples);
+        if (!is_point_light(*source.light) || !(source.power > 0)) continue;
+        point_lights_.push_back(static_cast<std::uint32_t>(&source - sources_.data()));
+        point_power_sums_.push_back(point_power += source.power);
+    }
+    if (sources_.size() > most_by_importance) make_tree();
+}
+
+void Lights::make_tree() {
+    std::vector<LightBounds> bounds(sources_.size());
+    for (std::uint32_t i = 0; i < sources_.size(); ++i) {
+        const PhysicalLight& light = *sources_[i].light;
+        if (std::holds_alternative<InfiniteSource>(light) ||
+            std::holds_alternative<DistantSource>(light)) {
+            far_.push_back(i);
+        } else {
+            bounds[i] = bounds_of(sources_[i]);
+        }
+    }
+    tree_.emplace(bounds);
+}
+
+/// Returns the bounds of a light at a finite distance.
+LightBounds Lights::bounds_of(const Source& source) const {
+    if (std::holds_alternative<AreaSource>(*source.light)) {
+        return area_lights_[source.index].light_bounds();
+    }
+    return std::visit(PointBounds{}, *source.light);
+}
+
+/// Joins the light and the previous one to a quadrilateral, if they form one.
+bool Lights::add_half(const PhysicalLight& light) {
+    const auto* const half = std::get_if<AreaSource>(&light);
+    const auto* const other =
+        sources_.empty() ? nullptr : std::get_if<AreaSource>(sources_.back().light);
+    if (!half || !other || half->primitive != other->primitive + 1 ||
+        half->radiance != other->radiance || half->two_sided != other->two_sided) {
+        return false;
+    }
+    AreaLight& last = area_lights_.back();
+    const auto both = quadrilateral(scene_.geometry, other->primitive);
+    if (!both || !std::holds_alternative<TriangleArea>(last.shape)) return false;
+    last.join(*both, primitive_bounds(scene_.geometry, half->primitive));
+    sources_.back().power = pi * last.exitance;
+    return true;
+}
+
+void Lights::add(const PhysicalLight& light, std::vector<std::string>& problems,
+                 SkySampling sky_sampling) {
+    if (std::holds_alternative<InfiniteSource>(light)) {
+        sources_.push_back(infinite_source(light, problems, sky_sampling));
+    } else if (!std::holds_alternative<AreaSource>(light)) {
+        sources_.push_back(delta_source(light, problems));
+    } else if (!add_half(light)) {
+        sources_.push_back(area_source(light));
+    }
+    numbers_.push_back(static_cast<std::uint32_t>(sources_.size() - 1));
+}
+
+Lights::Source Lights::delta_source(const PhysicalLight& light,
+                                    std::vector<std::string>& problems) {
+    const SphericalImage* image = nullptr;
+    std::uint32_t index = 0;
+    if (const std::string* const file = image_file(light)) {
+        index = static_cast<std::uint32_t>(images_.size());
+        image = &images_.emplace_back(*file, problems);
+    }
+    return {&light, index, delta_light_power(light, image, scene_radius_)};
+}
+
+Lights::Source Lights::infinite_source(const PhysicalLight& light,
+                                       std::vector<std::string>& problems,
+                                       SkySampling sky_sampling) {
+    const auto& source = std::get<InfiniteSource>(light);
+    const auto index = static_cast<std::uint32_t>(infinite_lights_.size());
+    const InfiniteLight& made = infinite_lights_.emplace_back(source, problems, sky_sampling);
+    infinite_.push_back(static_cast<std::uint32_t>(sources_.size()));
+    const double disk = pi * scene_radius_ * scene_radius_;
+    const double power = made.can_be_sampled() ? pi * disk * luminance(made.mean()) : 0;
+    return {&light, index, power, source.samples};
+}
+
+Lights::Source Lights::area_source(const PhysicalLight& light) {
+    const auto& source = std::get<AreaSource>(light);
+    const auto index = static_cast<std::uint32_t>(area_lights_.size());
+    const AreaLight& made = area_lights_.emplace_back(area_light(scene_, source));
+    return {&light, index, pi * made.exitance, source.samples};
+}
+
+}  // namespace etalon
