@@ -51,20 +51,4 @@ class OracleReference {
     double sensitivity_ = 0;  ///< change of t when every input moves by one unit roundoff
 };
 
-/// Rays that leave the hits of given rays in a random direction to either side. Half of them are
-/// grazing: cosines down to 1e-6. A ray without a hit gives none.
-struct Spawned {
-    Ray ray;
-    HitKey from;   ///< primitive that it leaves
-    bool outward;  ///< to the front
-    double shift;  ///< distance of its origin from the hit, relative to the size
-};
-std::optional<Spawned> spawn(const hard::CaseSetup& setup, const Ray& ray, const Answer& answer,
-                             Random& random);
-
-/// Returns whether a spawned ray hit its own surface wrongly. No shape is hit by a ray that leaves
-/// its front or, if it is flat, its back; a closed one is hit by a ray from its inside on its way
-/// out.
-bool is_self_hit(const Scene& scene, const Spawned& spawned, const Answer& answer);
-
 }  // namespace etalon::accuracy
