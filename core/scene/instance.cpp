@@ -14,35 +14,116 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-HWY_INLINE TwoTerm minor(double a, double b, double c, double d) {
-    return two_product(a, d) + -two_product(b, c);
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Rows of a matrix in lanes: all three, or in turns where vectors are shorter.
+using RowsTag = hn::CappedTag<double, 4>;
+using RowLanes = hn::Vec<RowsTag>;
+
+/// A number for each row; the fourth means nothing.
+struct Rows {
+    HWY_INLINE RowLanes lanes(std::size_t first) const { return hn::Load(RowsTag(), &rows[first]); }
+    HWY_INLINE void set(std::size_t first, RowLanes lanes) {
+        hn::Store(lanes, RowsTag(), &rows[first]);
+    }
+
+    alignas(32) double rows[4];
+};
+
+/// Double-double numbers with the operations of core/numerics/double_double.h.
+struct TwoTermLanes {
+    RowLanes value, error;
+};
+
+HWY_INLINE RowLanes set(double x) {
+    return hn::Set(RowsTag(), x);
 }
 
-HWY_INLINE Vec3TwoTerm fine_cross(const Vec3& a, const Vec3& b) {
-    return {minor(a.y, a.z, b.y, b.z), minor(a.z, a.x, b.z, b.x), minor(a.x, a.y, b.x, b.y)};
+HWY_INLINE TwoTermLanes two_sum(RowLanes a, RowLanes b) {
+    const RowLanes s = a + b, bb = s - a;
+    return {s, (a - (s - bb)) + (b - bb)};
 }
 
-HWY_INLINE double quotient(const TwoTerm& a, const TwoTerm& b) {
-    const double value = a.value / b.value;
-    const TwoTerm rest = a + -(TwoTerm{value, 0} * b);
-    return value + rest.value / b.value;
+HWY_INLINE TwoTermLanes two_product(RowLanes a, RowLanes b) {
+    const RowLanes p = a * b;
+    if constexpr (HWY_NATIVE_FMA != 0) return {p, hn::MulSub(a, b, p)};
+    Rows x, y, error;
+    x.set(0, a), y.set(0, b), error.set(0, p);
+    for (std::size_t i = 0; i < hn::Lanes(RowsTag()); ++i) {
+        error.rows[i] = std::fma(x.rows[i], y.rows[i], -error.rows[i]);
+    }
+    return {p, error.lanes(0)};
 }
+
+HWY_INLINE TwoTermLanes difference(const TwoTermLanes& a, const TwoTermLanes& b) {
+    const TwoTermLanes s = two_sum(a.value, hn::Neg(b.value));
+    return two_sum(s.value, s.error + (a.error - b.error));
+}
+
+/// Returns the product of a double and a double-double number.
+HWY_INLINE TwoTermLanes product(RowLanes a, const TwoTerm& b) {
+    const TwoTermLanes p = two_product(a, set(b.value));
+    return two_sum(p.value, p.error + (a * set(b.error) + set(0) * set(b.value)));
+}
+
+HWY_INLINE RowLanes quotient(const TwoTermLanes& a, const TwoTerm& b) {
+    const RowLanes value = a.value / set(b.value);
+    const TwoTermLanes rest = difference(a, product(value, b));
+    return value + rest.value / set(b.value);
+}
+
+/// Cross products of a pair of vectors for each row, as the values and errors of their components.
+struct CrossProducts {
+    /// Row i is the cross product of a[i] and b[i].
+    HWY_INLINE CrossProducts(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
+        const std::array<Rows, 3> first = columns(a), second = columns(b);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t y = (k + 1) % 3, z = (k + 2) % 3;
+            for (std::size_t i = 0; i < 3; i += hn::Lanes(RowsTag())) {
+                set(k, i,
+                    difference(two_product(first[y].lanes(i), second[z].lanes(i)),
+                               two_product(first[z].lanes(i), second[y].lanes(i))));
+            }
+        }
+    }
+
+    HWY_INLINE static std::array<Rows, 3> columns(const std::array<Vec3, 3>& v) {
+        std::array<Rows, 3> result;
+        for (int k = 0; k < 3; ++k) {
+            result[static_cast<std::size_t>(k)] = {{v[0][k], v[1][k], v[2][k], v[0][k]}};
+        }
+        return result;
+    }
+    HWY_INLINE void set(std::size_t k, std::size_t first, const TwoTermLanes& lanes) {
+        value[k].set(first, lanes.value);
+        error[k].set(first, lanes.error);
+    }
+    HWY_INLINE TwoTermLanes lanes(std::size_t k, std::size_t first) const {
+        return {value[k].lanes(first), error[k].lanes(first)};
+    }
+    HWY_INLINE TwoTerm at(std::size_t row, std::size_t k) const {
+        return {value[k].rows[row], error[k].rows[row]};
+    }
+
+    std::array<Rows, 3> value, error;  ///< by component
+};
 
 /// Returns the rows of the inverse of the matrix with columns x, y and z, by Cramer's rule. The
 /// columns are first scaled, exactly, so that no product leaves the range of double.
 std::array<Vec3, 3> inverse_rows(const Vec3& x, const Vec3& y, const Vec3& z) {
     const double scale = power_of_two_reciprocal(std::max({max_abs(x), max_abs(y), max_abs(z)}));
     const Vec3 a = x * scale, b = y * scale, c = z * scale;
-    const std::array<Vec3TwoTerm, 3> cofactors = {fine_cross(b, c), fine_cross(c, a),
-                                                  fine_cross(a, b)};
-    const Vec3TwoTerm& bc = cofactors[0];
-    const TwoTerm determinant =
-        TwoTerm{a.x, 0} * bc[0] + TwoTerm{a.y, 0} * bc[1] + TwoTerm{a.z, 0} * bc[2];
+    const CrossProducts cofactors({b, c, a}, {c, a, b});
+    const TwoTerm determinant = TwoTerm{a.x, 0} * cofactors.at(0, 0) +
+                                TwoTerm{a.y, 0} * cofactors.at(0, 1) +
+                                TwoTerm{a.z, 0} * cofactors.at(0, 2);
     std::array<Vec3, 3> rows;
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            rows[i][k] = quotient(cofactors[i][static_cast<std::size_t>(k)], determinant) * scale;
+    for (std::size_t k = 0; k < 3; ++k) {
+        Rows column;
+        for (std::size_t i = 0; i < 3; i += hn::Lanes(RowsTag())) {
+            column.set(i, quotient(cofactors.lanes(k, i), determinant) * set(scale));
         }
+        for (std::size_t i = 0; i < 3; ++i) rows[i][static_cast<int>(k)] = column.rows[i];
     }
     return rows;
 }
