@@ -10,6 +10,7 @@
 
 #include "core/formats/pbrt/matrix4.h"
 #include "core/formats/pbrt/parameters.h"
+#include "core/formats/pbrt/transform_list.h"
 
 namespace etalon::pbrt {
 
@@ -78,8 +79,6 @@ struct CameraTransform {
     Matrix4 to_world, from_world;  ///< inverse of each other
 };
 
-/// Lists of which a scene may have millions are deques: a vector that doubles is written about
-/// twice.
 struct Frame {
     Plugin camera, sampler, film, filter, integrator, accelerator;  ///< defaults if absent
     std::array<CameraTransform, 2> camera_transforms{};             ///< at the start and end time
@@ -87,7 +86,7 @@ struct Frame {
     std::array<double, 2> transform_times = {0, 1};
 
     /// Transforms of the world block, each finite but not always invertible; 0 is the identity.
-    std::deque<Matrix4> transforms = {Matrix4{}};
+    TransformList transforms{};
     std::vector<Texture> textures{};
     std::vector<Material> materials{};  ///< no two are equal
     std::vector<Light> lights{};
@@ -95,8 +94,8 @@ struct Frame {
     std::vector<Medium> media{};
     std::vector<Shape> shapes{};
     std::vector<Object> objects{};
-    std::deque<Instance> instances{};
-    bool has_media = false;  ///< whether a MediumInterface statement was read
+    std::deque<Instance> instances{};  ///< may be millions: see TransformList
+    bool has_media = false;            ///< whether a MediumInterface statement was read
 
     /// Makes a frame of default options and an empty world.
     Frame();

@@ -26,12 +26,6 @@ std::string explain(Category category, const std::string& name) {
     return near.empty() ? fmt::format("; there are: {}", fmt::join(names, " ")) : near;
 }
 
-std::uint32_t add_transform(const Matrix4& matrix, std::deque<Matrix4>& transforms) {
-    if (matrix == Matrix4{}) return 0;
-    transforms.push_back(matrix);
-    return static_cast<std::uint32_t>(transforms.size() - 1);
-}
-
 }  // namespace
 
 const PluginType* Parser::find_type(Category category, const std::string& name, Unknown unknown) {
@@ -80,8 +74,9 @@ bool Parser::check(const Plugin& plugin) {
 TransformPair Parser::transform_pair() {
     TransformState& t = *now.transform.current;
     if (!t.numbers) {
-        const std::uint32_t start = add_transform(t.start(), frame().transforms);
-        t.numbers = {start, t.is_animated() ? add_transform(t.end(), frame().transforms) : start};
+        TransformList& list = frame().transforms;
+        const std::uint32_t start = list.add(t.start());
+        t.numbers = {start, t.is_animated() ? list.add(t.end()) : start};
     }
     return *t.numbers;
 }

@@ -31,7 +31,9 @@ bool is_bound(const Shape& shape, const Frame& frame) {
 }
 
 void check_frame(const Frame& frame) {
-    for (const Matrix4& m : frame.transforms) CHECK(is_finite(m));
+    for (std::uint32_t i = 0; i < frame.transforms.size(); ++i) {
+        CHECK(is_finite(frame.transforms[i]));
+    }
     for (const Shape& shape : frame.shapes) CHECK(is_bound(shape, frame));
     for (const Object& object : frame.objects) {
         for (const Shape& shape : object.shapes) CHECK(is_bound(shape, frame));

@@ -13,7 +13,7 @@ TEST_CASE("a light has its parameters and the transformation of its place") {
     CHECK(light.plugin.parameters.vector("from") == Vec3f(4, 5, 6));
     CHECK(light.plugin.parameters.number("coneangle") == 12);
     CHECK(light.plugin.parameters.color("scale") == Color(2.0F));
-    CHECK(image(frame.transforms.at(light.to_world), {0, 0, 0}) == Vec3(1, 0, 0));
+    CHECK(image(frame.transforms[light.to_world], {0, 0, 0}) == Vec3(1, 0, 0));
 }
 
 TEST_CASE("the scale of a light is a colour and no number") {

@@ -82,7 +82,7 @@ TEST_CASE("a medium has its parameters and the transformation of its place") {
     CHECK(medium.plugin.parameters.numbers("density").size() == 6);
     CHECK(medium.plugin.parameters.color("sigma_a") == Color(1, 2, 3));
     CHECK(medium.plugin.parameters.vector("p1") == Vec3f(4, 5, 6));
-    CHECK(image(frame.transforms.at(medium.to_world), {0, 0, 0}) == Vec3(1, 0, 0));
+    CHECK(image(frame.transforms[medium.to_world], {0, 0, 0}) == Vec3(1, 0, 0));
 }
 
 TEST_CASE("a medium that is not whole is not made") {

@@ -51,11 +51,11 @@ inline Frame world_with(const std::string& text, const std::string& message) {
     return std::move(file.frames.front());
 }
 
-inline const Matrix4& start(const Frame& frame, const Shape& shape) {
+inline Matrix4 start(const Frame& frame, const Shape& shape) {
     return frame.transforms[shape.to_world.start];
 }
 
-inline const Matrix4& end(const Frame& frame, const Shape& shape) {
+inline Matrix4 end(const Frame& frame, const Shape& shape) {
     return frame.transforms[shape.to_world.end];
 }
 

@@ -13,7 +13,7 @@ struct Comparison {
     const Frame &a, &b;
 
     bool transform(std::uint32_t i, std::uint32_t j) const {
-        return a.transforms.at(i) == b.transforms.at(j);
+        return a.transforms[i] == b.transforms[j];
     }
     bool transforms(TransformPair i, TransformPair j) const {
         return transform(i.start, j.start) && transform(i.end, j.end) &&

@@ -119,7 +119,7 @@ TEST_CASE("a texture of an unknown class or type is not defined") {
 
 TEST_CASE("a texture has the transformation of its place, at the start") {
     const Frame frame = good_world("Translate 1 0 0 Texture \"t\" \"float\" \"fbm\"");
-    CHECK(image(frame.transforms.at(frame.textures.at(0).to_world), {0, 0, 0}) == Vec3(1, 0, 0));
+    CHECK(image(frame.transforms[frame.textures.at(0).to_world], {0, 0, 0}) == Vec3(1, 0, 0));
     const Frame moving =
         world_with("ActiveTransform EndTime Translate 1 0 0\nTexture \"t\" \"float\" \"fbm\"",
                    "a.pbrt:2:1: warning: 'Texture' cannot move: it stays where it is at the start");

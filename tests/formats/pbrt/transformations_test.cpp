@@ -29,7 +29,8 @@ std::array<Vec3, 2> carried_with(const std::string& statements, const std::strin
 
 TEST_CASE("the current transformation is the identity at first") {
     const Frame frame = good_world("Shape \"sphere\"");
-    CHECK(frame.transforms == std::deque{Matrix4{}});
+    CHECK(frame.transforms.size() == 1);
+    CHECK(frame.transforms[0] == Matrix4{});
     CHECK(frame.shapes.at(0).to_world == TransformPair{0, 0});
 }
 
@@ -40,6 +41,19 @@ TEST_CASE("transformations are those of pbrt-v3") {
     check_near(carried("Rotate 90 5 0 0"), {1, -3, 2});
     check_near(carried("LookAt 0 0 5  0 0 0  0 1 0"), {-1, 2, 2});
     check_near(carried("Identity"), {1, 2, 3});
+}
+
+TEST_CASE("transforms are kept whole, whether affine or not") {
+    const Matrix4 affine{{{{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {0, 0, 0, 1}}}};
+    const Matrix4 projection{{{{2, 0, 0, 0}, {0, 3, 0, 0}, {0, 0, 4, 5}, {0, 6, -1, 0}}}};
+    TransformList list;
+    CHECK(list.add(projection) == 1);
+    CHECK(list.add(Matrix4{}) == 0);
+    CHECK(list.add(affine) == 2);
+    CHECK(list.add(projection) == 3);
+    REQUIRE(list.size() == 4);
+    const Matrix4 expected[] = {Matrix4{}, projection, affine, projection};
+    for (std::uint32_t i = 0; i < 4; ++i) CHECK(list[i] == expected[i]);
 }
 
 TEST_CASE("a matrix is given column by column") {

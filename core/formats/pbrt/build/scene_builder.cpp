@@ -15,8 +15,9 @@ NumberSlot SceneBuilder::number(const Parameters& p, std::string_view name) {
 }
 
 std::optional<Affine> SceneBuilder::affine(std::uint32_t transform, const Place& place) {
-    const Matrix4& m = frame.transforms[transform];
-    if (is_affine(m) && affine_part(m).determinant() != 0) return affine_part(m);
+    const Matrix4 m = frame.transforms[transform];
+    const Affine map = affine_part(m);
+    if (is_affine(m) && map.determinant() != 0) return map;
     warn(place, "transform", "left out: its transform is {}",
          is_affine(m) ? "singular" : "a projection");
     return std::nullopt;
