@@ -9,18 +9,13 @@
 #include "core/base/hash64.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
+#include "tests/sanitized.h"
 
 using namespace etalon::test;
 
 using nlohmann::json;
 
 namespace {
-
-#ifdef ETALON_SANITIZED
-constexpr bool can_preload = false;
-#else
-constexpr bool can_preload = true;
-#endif
 
 /// A rendering that takes a second or less.
 const std::vector<std::string> tasks = {
@@ -93,7 +88,7 @@ TEST_CASE("Two hundred kills leave the image as it would have been", "[app][long
 
 TEST_CASE("A kill at any call that writes a checkpoint leaves an old one or a new one",
           "[app][needs_preload]") {
-    SKIP_UNLESS(can_preload, "a build without sanitizers, which libraries can be preloaded into");
+    SKIP_UNLESS(!is_sanitized, no_preload);
     const Folder f;
     const std::string& task = tasks[1];
     render_whole(f, task);
@@ -110,7 +105,7 @@ TEST_CASE("A kill at any call that writes a checkpoint leaves an old one or a ne
 
 TEST_CASE("A checkpoint that cannot be written is a warning, and the old one is kept",
           "[app][needs_preload]") {
-    SKIP_UNLESS(can_preload, "a build without sanitizers, which libraries can be preloaded into");
+    SKIP_UNLESS(!is_sanitized, no_preload);
     const Folder f;
     const std::string& task = tasks[0];
     const double seconds = render_whole(f, task);
@@ -135,7 +130,7 @@ TEST_CASE("A checkpoint that cannot be written is a warning, and the old one is 
 
 TEST_CASE("Signals that interrupt calls, and writes of a part, leave files as they would have been",
           "[app][needs_preload]") {
-    SKIP_UNLESS(can_preload, "a build without sanitizers, which libraries can be preloaded into");
+    SKIP_UNLESS(!is_sanitized, no_preload);
     const Folder f;
     const std::string& task = tasks[0];
     render_whole(f, task);

@@ -4,6 +4,7 @@
 #include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
 #include "tests/catch.h"
+#include "tests/sanitized.h"
 
 using namespace etalon;
 using namespace etalon::test;
@@ -83,7 +84,8 @@ void require_parity(const SceneFamily& family, std::size_t primitives, std::size
 
 }  // namespace
 
-TEST_CASE("Given any scene, exact backends agree to the last bit", "[backends]") {
+TEST_CASE("Given any scene, exact backends agree to the last bit",
+          "[backends]" ETALON_LONG_IF_SANITIZED) {
     for (const SceneFamily& family : scene_families()) require_parity(family, 300, 1500);
 }
 

@@ -7,19 +7,11 @@
 
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
+#include "tests/sanitized.h"
 
 using namespace etalon::test;
 
 namespace {
-
-#ifdef ETALON_SANITIZED
-constexpr bool can_preload = false;
-#else
-constexpr bool can_preload = true;
-#endif
-
-constexpr const char* no_preload =
-    "a build without sanitizers, which libraries can be preloaded into";
 
 struct Task {
     std::string begin;    ///< suffix of the file after whose opening calls are counted
@@ -96,7 +88,7 @@ void check_each(const Folder& f, const Task& task, long step) {
 }  // namespace
 
 TEST_CASE("A failing allocation is reported, or changes nothing", "[faults][needs_preload]") {
-    SKIP_UNLESS(can_preload, no_preload);
+    SKIP_UNLESS(!is_sanitized, no_preload);
     const Folder f;
     for (const Task& task : renderings) {
         check_each(f, task, Whole(f, task, "memory").calls / runs);
@@ -105,7 +97,7 @@ TEST_CASE("A failing allocation is reported, or changes nothing", "[faults][need
 
 TEST_CASE("A failing allocation where a library must not throw is reported",
           "[faults][needs_preload]") {
-    SKIP_UNLESS(can_preload, no_preload);
+    SKIP_UNLESS(!is_sanitized, no_preload);
     const Folder parts, f;
     for (const int part : {1, 2}) {
         const Task rendered = rendering("features/glass.p3f", fmt::format("--part {}/2", part));
@@ -119,14 +111,14 @@ TEST_CASE("A failing allocation where a library must not throw is reported",
 
 TEST_CASE("Every failing allocation is reported, or changes nothing",
           "[faults][needs_preload][long]") {
-    SKIP_UNLESS(can_preload, no_preload);
+    SKIP_UNLESS(!is_sanitized, no_preload);
     const Folder f;
     for (const Task& task : renderings) check_each(f, task, 1);
 }
 
 TEST_CASE("A thread that cannot be started is reported, or changes nothing",
           "[faults][needs_preload]") {
-    SKIP_UNLESS(can_preload, no_preload);
+    SKIP_UNLESS(!is_sanitized, no_preload);
     const Folder f;
     for (Task task : renderings) {
         task.command.back() = '4';

@@ -6,6 +6,7 @@
 
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
+#include "tests/sanitized.h"
 
 using namespace etalon::test;
 
@@ -14,13 +15,7 @@ namespace {
 constexpr std::size_t most_bytes_of_a_bomb = 1024;
 constexpr double most_memory = 1e9;
 
-#ifdef ETALON_SANITIZED
-constexpr bool sanitized = true;
-constexpr int watchdog_seconds = 600;
-#else
-constexpr bool sanitized = false;
-constexpr int watchdog_seconds = 60;
-#endif
+constexpr int watchdog_seconds = is_sanitized ? 600 : 60;
 
 /// Renders as a service would render an untrusted scene: with limits of memory and time, and a
 /// watchdog, which should never be needed.
@@ -36,7 +31,7 @@ ProgramResult rendered(const Folder& f, const SmallBomb& bomb) {
 /// Returns whether the program ended as it should where memory ends: a sanitizer's operator new
 /// does not throw.
 bool reports_an_error(const ProgramResult& r) {
-    if (sanitized && ContainsSubstring("allocator is out of memory").match(r.err)) return true;
+    if (is_sanitized && ContainsSubstring("allocator is out of memory").match(r.err)) return true;
     return r.status == 3 && ContainsSubstring("error: ").match(r.err);
 }
 

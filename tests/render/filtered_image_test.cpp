@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/render/test_images.h"
 #include "tests/render/test_scenes.h"
+#include "tests/sanitized.h"
 
 using namespace etalon;
 using namespace etalon::test;
@@ -80,7 +81,7 @@ TEST_CASE("The variance of a filtered image is that of each pixel's own samples"
     CHECK(rendered(soft).film.variances() == rendered(sharp).film.variances());
 }
 
-TEST_CASE("A filtered image ends near the target error", "[film]") {
+TEST_CASE("A filtered image ends near the target error", "[film]" ETALON_LONG_IF_SANITIZED) {
     for (const double aperture : {0.0, 12.0}) {  // beneath a filter, a lens' samples lie less well
         for (const PixelFilter& filter : {gaussian, PixelFilter{FilterKind::box, {1, 1}}}) {
             TestScene reference = scene_with(filter, 1024);

@@ -15,6 +15,7 @@
 #include "tests/formats/shared_scenes.h"
 #include "tests/render/coincident_surfaces.h"
 #include "tests/render/test_images.h"
+#include "tests/sanitized.h"
 
 using namespace etalon;
 using namespace etalon::test;
@@ -271,7 +272,7 @@ TEST_CASE("images of PBRT scenes agree with pbrt-v3", "[needs_shared_scenes][lon
     CHECK(compared >= 25);
 }
 
-TEST_CASE("images of small scenes agree with pbrt-v3") {
+TEST_CASE("images of small scenes agree with pbrt-v3", ETALON_LONG_IF_SANITIZED) {
     const fs::path folder = fs::path(ETALON_SOURCE_DIR) / "tests/render/references";
     int compared = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {

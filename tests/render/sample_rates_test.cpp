@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "tests/render/pbrt_scene.h"
 #include "tests/render/test_images.h"
+#include "tests/sanitized.h"
 
 using namespace etalon;
 using namespace etalon::test;
@@ -60,7 +61,8 @@ TEST_CASE("Images of few samples, dim lights and lights out of view have even sa
     CHECK(preferred(rendered(even)) == 0);
 }
 
-TEST_CASE("More samples at outlines lower an image's error and keep its mean", "[rates]") {
+TEST_CASE("More samples at outlines lower an image's error and keep its mean",
+          "[rates]" ETALON_LONG_IF_SANITIZED) {
     for (const char* const filter : {"box", "gaussian", "mitchell"}) {
         CAPTURE(filter);
         const std::vector<Color> truth = with_seed(lit_floor(2048, 100, filter), 77);
