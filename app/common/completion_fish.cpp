@@ -58,18 +58,17 @@ std::string fish_lines(const CLI::App& command, const std::string& begin,
 std::string fish_completion(const CLI::App& program, const ValueChoices& choices) {
     const std::string& name = program.get_name();
     const std::string begin = "complete -c " + name;
-    std::string script =
-        fmt::format("# Completion of {0} for fish, written by {0} itself.\n", name);
+    std::string lines = fmt::format("# Completion of {0} for fish, written by {0} itself.\n", name);
     const bool has_commands = !program.get_subcommands({}).empty();
-    script +=
+    lines +=
         fish_lines(program, begin + (has_commands ? " -n __fish_use_subcommand" : ""), choices);
     for (const CLI::App* command : program.get_subcommands({})) {
-        script += fish_lines(
+        lines += fish_lines(
             *command,
             fmt::format("{} -n '__fish_seen_subcommand_from {}'", begin, command->get_name()),
             choices);
     }
-    return script;
+    return lines;
 }
 
 }  // namespace etalon

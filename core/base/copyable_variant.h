@@ -22,7 +22,7 @@ class CopyableVariant : public std::variant<T...> {
     ~CopyableVariant() = default;
 
     CopyableVariant(const CopyableVariant& other) : Base() {
-        const auto copy = [this](auto value) { Base::operator=(std::move(value)); };
+        const auto copy = [this](auto value) { this->Base::operator=(std::move(value)); };
         std::visit(copy, static_cast<const Base&>(other));
     }
     CopyableVariant& operator=(const CopyableVariant& other) {

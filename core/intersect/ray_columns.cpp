@@ -82,9 +82,10 @@ namespace etalon {
 HWY_EXPORT(describe);
 
 /// The lanes beyond the last ray repeat it, so that a branch on all lanes depends on rays only.
-RayColumns::RayColumns(std::span<const Ray> rays)
-    : count(rays.size()), origins(own_origins_.span()), directions(own_directions_.span()) {
+RayColumns::RayColumns(std::span<const Ray> rays) : count(rays.size()) {
     static_assert(most % padded_doubles == 0);
+    origins = own_origins_.span();
+    directions = own_directions_.span();
     const auto set = [&](std::size_t i, const Ray& ray) {
         own_origins_.set(i, ray.origin);
         own_directions_.set(i, ray.direction);
