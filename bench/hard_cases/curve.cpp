@@ -41,8 +41,9 @@ std::vector<HardCase> curve_cases() {
     const Affine sheared{{1, 0, 0.25}, {0.5, 1, 0}, {-2, 3, 1}, usual_place()};
     const std::pair<const char*, CurveType> types[] = {
         {"flat", CurveType::flat}, {"ribbon", CurveType::ribbon}, {"tube", CurveType::cylinder}};
-    for (const auto& [name, type] : types) {
-        const std::string kind(name);
+    for (const auto& named : types) {
+        const std::string kind(named.first);
+        const CurveType type = named.second;  // clang 14 captures no structured binding
         rows.add("CRV-1", kind, [=] { return seen_from(bent(type, placed_at({0, 0, 0})), 2); });
         rows.add("CRV-1", kind + ", at 3e5",
                  [=] { return seen_from(bent(type, placed_at(far_place())), 2); });
