@@ -203,9 +203,9 @@ TEST_CASE("A damaged checkpoint is refused", "[app]") {
         CHECK_THAT(r.err, ContainsSubstring("etalon: error: c: "));
         CHECK_THAT(r.err, ContainsSubstring("damaged") || ContainsSubstring("another version"));
     };
-    for (const std::size_t size :
+    for (const std::size_t kept :
          {std::size_t{0}, std::size_t{7}, std::size_t{18}, whole.size() / 2, whole.size() - 1}) {
-        refused(whole.substr(0, size));
+        refused(whole.substr(0, kept));
     }
     for (const std::size_t at :
          {std::size_t{18}, std::size_t{40}, whole.size() / 3, whole.size() - 3}) {

@@ -85,7 +85,9 @@ TEST_CASE("compare exits with 1 if a metric is worse than its limit, and names i
     const auto with = [&](const std::string& limits) {
         return f.etalon("compare " + limits + " a.exr b.exr --json a.json");
     };
-    for (const auto& [name, value] : json.items()) {
+    for (const auto& item : json.items()) {
+        const std::string& name = item.key();  // clang 14 captures no structured binding
+        const Json& value = item.value();
         if (!value.is_number()) continue;
         INFO(name);
         const bool falls = name == "psnr" || name == "ssim";
