@@ -6,7 +6,8 @@
 
 namespace etalon {
 
-Collapse::Collapse(const std::vector<BvhNode>& nodes) : nodes_(nodes), plans_(nodes.size() / 2) {
+Collapse::Collapse(const std::vector<BvhNode>& nodes)
+    : nodes_(nodes), plans_(std::make_unique_for_overwrite<Plan[]>(nodes.size() / 2)) {
     plan_all(root());
 }
 

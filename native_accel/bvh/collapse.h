@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "core/parallel/large_pages.h"
 #include "native_accel/bvh/wide_tree.h"
 
 namespace etalon {
@@ -63,14 +63,13 @@ class Collapse {
     void plan_all(const Branch& branch);
     Plan plan(const BvhNode& inner) const;
     void gather(const Branch& branch, std::size_t count, Branches& list) const;
-    Plan& plan_of(const BvhNode& inner) { return plans_[inner.first / 2]; }
-    const Plan& plan_of(const BvhNode& inner) const { return plans_[inner.first / 2]; }
+    Plan& plan_of(const BvhNode& inner) const { return plans_[inner.first / 2]; }
     const Plan& plan_or_none(const BvhNode& node) const {
         return node.is_leaf() ? no_plan : plan_of(node);
     }
 
     const std::vector<BvhNode>& nodes_;
-    std::vector<Plan, UninitializedLargePages<Plan>> plans_;  ///< one for each pair of children
+    std::unique_ptr<Plan[]> plans_;  ///< one for each pair of children
 };
 
 }  // namespace etalon
