@@ -213,3 +213,24 @@ TEST_CASE("Given instances of empty objects, nothing is hit", "[instances]") {
         CHECK_FALSE(backend.build(geometry)->closest(Ray{{0, 0, -3}, {0, 0, 1}}));
     }
 }
+
+TEST_CASE("Given thousands of objects, every backend builds them and finds each", "[instances]") {
+    constexpr std::uint32_t count = 2000;
+    Geometry geometry;
+    geometry.objects.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        geometry.objects[i].add(Sphere{Vec3(0), 0.25}, 0);
+        geometry.instances.emplace_back(Affine{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {double(i), 0, 0}},
+                                        i);
+    }
+    for (const Backend& backend : exact_backends()) {
+        INFO("backend " << backend.name);
+        const auto intersector = backend.build(geometry);
+        for (std::uint32_t i = 0; i < count; i += 97) {
+            const auto hit = intersector->closest(Ray{{double(i), 0, -3}, {0, 0, 1}});
+            REQUIRE(hit);
+            CHECK(hit->instance == i);
+            CHECK(hit->t == 2.75);
+        }
+    }
+}
