@@ -49,7 +49,7 @@ class EmbreeDevice {
 };
 
 /// The device of a scene, which the intersectors of its objects share: Embree requires that of its
-/// instances, and making a device takes longer than building a small object.
+/// instances, and version 3 fails to make thousands of devices.
 class SceneDevice {
   public:
     /// Creates a device, or shares that of the scene which contains an object. Throws as
