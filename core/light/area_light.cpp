@@ -85,6 +85,7 @@ AreaLight area_light(const Scene& scene, const AreaSource& source) {
                     std::visit([](const auto& s) { return s.flat_normal(); }, shape),
                     binding.flipped,
                     source.two_sided,
+                    binding.alpha.texture == no_index && binding.alpha.value == 0,
                     own ? area_of(shape) * luminance(source.radiance) * sides : 0,
                     primitive_bounds(geometry, source.primitive)};
     if (light.flat_front)

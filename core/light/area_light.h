@@ -31,6 +31,7 @@ struct AreaLight {
     BoundingSphere bounds;
     std::optional<Vec3> flat_front;  ///< normal of the emitting side, if the light is flat
     bool flipped, two_sided;
+    bool is_unseen;   ///< rays pass everywhere, so none can hit the light
     double exitance;  ///< area times luminance; 0 for a primitive of a kind that cannot be sampled
     Box3 box;         ///< box of the shape
 };

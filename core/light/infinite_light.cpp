@@ -27,6 +27,14 @@ Affine inverse_directions(const Affine& m) {
     return {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}, Vec3(0)};
 }
 
+/// Returns whether a map keeps the angles between vectors, up to roundings.
+bool keeps_angles(const Affine& m) {
+    const double size = m.x.dot(m.x), enough = 1e-12 * size;
+    const auto is_next_to_0 = [&](double number) { return std::abs(number) <= enough; };
+    return is_next_to_0(m.y.dot(m.y) - size) && is_next_to_0(m.z.dot(m.z) - size) &&
+           is_next_to_0(m.x.dot(m.y)) && is_next_to_0(m.y.dot(m.z)) && is_next_to_0(m.z.dot(m.x));
+}
+
 /// Returns ninths of a row's luminances, from the column before the first to the one after the
 /// last.
 std::vector<float> ninths_of_row(const SphericalImage& image, int y) {
@@ -57,6 +65,7 @@ InfiniteLight::InfiniteLight(const InfiniteSource& source, std::vector<std::stri
                              SkySampling sampling)
     : source_(source),
       to_world_(inverse_directions(source.to_light)),
+      keeps_angles_(keeps_angles(source.to_light)),
       image_(source.image, problems),
       mean_(source.radiance) {
     if (source.skybox) {
@@ -120,7 +129,7 @@ LightSample InfiniteLight::sample(const Vec2& uv) const {
     const auto [place, density] = places_.sample(uv);
     const double sine = std::sin(pi * place.y);
     s.wi = normalized(to_world_.vector(SphericalImage::direction_at(place)));
-    s.pdf = static_cast<float>(density / (2 * pi * pi * sine));
+    s.pdf = static_cast<float>(density / (2 * pi * pi * sine) * stretch(s.wi));
     s.radiance = lookup(place);
     return s;
 }
@@ -129,7 +138,14 @@ double InfiniteLight::pdf(const Vec3& direction) const {
     if (places_.empty()) return 0;
     const Vec2 place = place_of(direction);
     const double sine = std::sin(pi * place.y);
-    return sine > 0 ? places_.density(place) / (2 * pi * pi * sine) : 0;
+    return sine > 0 ? places_.density(place) / (2 * pi * pi * sine) * stretch(direction) : 0;
+}
+
+/// Returns the solid angle in the image of a small one around a unit vector, relative to that.
+double InfiniteLight::stretch(const Vec3& direction) const {
+    if (keeps_angles_) return 1;
+    const double length = source_.to_light.vector(direction).length();
+    return std::abs(source_.to_light.determinant()) / (length * length * length);
 }
 
 }  // namespace etalon

@@ -48,9 +48,11 @@ class InfiniteLight {
     Color lookup(const Vec2& place) const;
     Vec2 place_of(const Vec3& direction) const;
     void prepare_sampling(SkySampling sampling);
+    double stretch(const Vec3& direction) const;
 
     InfiniteSource source_;
     Affine to_world_;
+    bool keeps_angles_;  ///< the map to the image does
     std::unique_ptr<const SkyboxLight> skybox_;
     SphericalImage image_;  ///< for a skybox, an overview from which directions are sampled
     Color mean_{0.0F};

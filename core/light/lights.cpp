@@ -35,6 +35,7 @@ LightSample Lights::sample(std::uint32_t light, const Vec3& from, const Vec2& uv
     if (!(point.pdf > 0) || !area.shines(point.normal, s.wi)) return s;
     s.radiance = area.radiance;
     s.pdf = static_cast<float>(point.pdf);
+    s.is_delta = area.is_unseen;
     return s;
 }
 

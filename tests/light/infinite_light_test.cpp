@@ -92,11 +92,13 @@ TEST_CASE("Directions to a sky are drawn with the density that is said of them",
             static_cast<float>(y < 0.5 ? 2 + std::sin(6 * pi * x + 9 * y) : 0.2));
     }
     REQUIRE(write_image(folder / "sky.exr", image).empty());
-    const InfiniteSource source{
-        Color(1), folder / "sky.exr", {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}};
-    for (const SkySampling sampling : {SkySampling::above_mean, SkySampling::whole}) {
+    const Affine turned{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}},
+        sheared{{0, 0, 3}, {1, 0.5, 0}, {0, -0.4, 0.25}, {0, 0, 0}};
+    for (const auto& [to_light, sampling] :
+         {std::pair(turned, SkySampling::above_mean), std::pair(turned, SkySampling::whole),
+          std::pair(sheared, SkySampling::whole)}) {
         std::vector<std::string> problems;
-        const InfiniteLight light(source, problems, sampling);
+        const InfiniteLight light({Color(1), folder / "sky.exr", to_light}, problems, sampling);
         REQUIRE(problems.empty());
         const auto sample = [&](Random& random) -> std::optional<Vec3> {
             const double u = random.uniform();

@@ -67,6 +67,9 @@ std::optional<Values> Binder::find(const ParameterSpec& spec,
                                    std::span<ParameterList* const> lists) {
     const auto in_lists = [&](const Spelling& spelling) {
         for (ParameterList* list : lists) {
+            GivenParameter* const named =
+                spec.slot == Slot::texture ? list->find_texture(spelling.name) : nullptr;
+            if (named) return texture(spec, *named);
             if (std::optional<Values> v = find(spec, spelling, *list)) return v;
         }
         return std::optional<Values>();
@@ -81,9 +84,6 @@ std::optional<Values> Binder::find(const ParameterSpec& spec,
 std::optional<Values> Binder::find(const ParameterSpec& spec, const Spelling& spelling,
                                    ParameterList& list) {
     const std::string_view name = spelling.name;
-    if (spec.slot == Slot::texture) {
-        if (GivenParameter* given = list.find_texture(name)) return texture(spec, *given);
-    }
     GivenParameter* const given = list.find(name, given_type(spelling.type));
     if (!given) return std::nullopt;
     given->is_used = true;

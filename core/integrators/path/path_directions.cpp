@@ -69,6 +69,8 @@ void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_
     if constexpr (std::is_same_v<Vertex, SurfaceVertex>) {
         if (at.subsurface && s->transmission) return enter(path, at, *s);
     }
+    // Direct lighting ends with a lit vertex, not with a ray from it to a light in a mirror.
+    if (shared_.direct_only && s->specular && path.depth + 1 >= most_vertices_) return;
     const float cosine = at.cosine(s->wi);
     Path& next = next_paths_.emplace_back(path);
     next.throughput *= s->f * (cosine / (s->pdf * at.survival));

@@ -163,6 +163,13 @@ TEST_CASE("a shape can give its material a texture, and replace one by a value")
     CHECK(material(frame, 1).plugin.parameters.texture("Kd") == 0U);
 }
 
+TEST_CASE("a texture of a shape that is not defined hides its material's value") {
+    const std::string text = "Material \"matte\" " + red + "\n" + sphere + "\"texture Kd\" \"t\"";
+    const Frame frame =
+        world_with(text, "a.pbrt:2:16: error: no spectrum texture 't' is defined for 'Kd'");
+    CHECK(diffuse(frame) == Color(0.5F));
+}
+
 TEST_CASE("a shape that states its material anew takes the textures that are known then") {
     const std::string text =
         "Texture \"t\" \"color\" \"constant\" Material \"matte\" \"texture Kd\" \"t\" " + sphere +

@@ -17,8 +17,9 @@ Vec3 point_of(const Parameters& p, std::string_view name) {
     return Vec3(p.vector(name));
 }
 
+/// The position is that of pbrt-v3: `from` is in world space, relative to where the origin is.
 void add_point(const Parameters& p, const Affine& to_world, Lights& to) {
-    to.emplace_back(PointSource{to_world.point(point_of(p, "from")), scaled(p, "I")});
+    to.emplace_back(PointSource{to_world.origin + point_of(p, "from"), scaled(p, "I")});
 }
 
 void add_spot(const Parameters& p, const Affine& to_world, Lights& to) {

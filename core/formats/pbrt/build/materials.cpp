@@ -65,13 +65,14 @@ Kind substrate(SceneBuilder& b, const Material& m) {
 
 Kind uber(SceneBuilder& b, const Material& m) {
     const Parameters& p = m.plugin.parameters;
+    const char* const along_u = p.is_given("uroughness") ? "uroughness" : "roughness";
     return UberMaterial{b.color(p, "Kd"),
                         b.color(p, "Ks"),
                         b.color(p, "Kr"),
                         b.color(p, "Kt"),
                         b.color(p, "opacity"),
                         b.number(p, "eta"),
-                        roughness(b, p, "uroughness", "vroughness", "roughness")};
+                        roughness(b, p, along_u, "vroughness", along_u)};
 }
 
 Kind disney(SceneBuilder& b, const Material& m) {

@@ -30,8 +30,9 @@ std::uint32_t add_vertices(ShapeBuilder& s, const MeshData& mesh) {
     const std::size_t count = mesh.points.size() / 3;
     const auto first = static_cast<std::uint32_t>(g.vertices.size());
     append(g.vertices, count, [&](std::size_t i) { return s.point(triple(mesh.points, i)); });
+    // Their lengths count where they are interpolated.
     append(g.normals, mesh.normals.size() / 3,
-           [&](std::size_t i) { return s.normal(Vec3(triple(mesh.normals, i))).normalized(); });
+           [&](std::size_t i) { return s.normal(Vec3(triple(mesh.normals, i))); });
     append(g.uvs, mesh.uvs.size() / 2, [&](std::size_t i) {
         return std::array{mesh.uvs[2 * i], mesh.uvs[2 * i + 1]};
     });

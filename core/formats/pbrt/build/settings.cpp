@@ -73,9 +73,11 @@ void build_pixel_bounds(SceneBuilder& b) {
     if (given.size() != 4) return;
     RenderSettings& to = b.result.settings;
     const Imath::Box2i whole = to.window();
-    const Imath::Box2i window({std::max(whole.min.x, given[0]), std::max(whole.min.y, given[2])},
-                              {std::min(whole.max.x, std::max(given[1], 0) - 1),
-                               std::min(whole.max.y, std::max(given[3], 0) - 1)});
+    const auto [left, right] = std::minmax(given[0], given[1]);
+    const auto [top, bottom] = std::minmax(given[2], given[3]);
+    const Imath::Box2i window({std::max(whole.min.x, left), std::max(whole.min.y, top)},
+                              {std::min(whole.max.x, std::max(right, 0) - 1),
+                               std::min(whole.max.y, std::max(bottom, 0) - 1)});
     if (window.isEmpty()) {
         b.warn(plugin.where, "film", "pixelbounds left out: they hold no pixel");
     } else {
@@ -134,8 +136,9 @@ void build_integrator(SceneBuilder& b) {
     to.integrator = sees_media(name) ? "volpath" : "path";
     to.direct_lighting = is_direct(name);
     to.ask_all_lights = asks_all_lights(integrator);
-    to.max_depth =
-        within(b, integrator, "as maxdepth", p.integer("maxdepth"), 0, most_vertices) + 1;
+    const int vertices =
+        within(b, integrator, "as maxdepth", p.integer("maxdepth"), 0, most_vertices);
+    to.max_depth = 1 + (to.direct_lighting ? std::max(vertices, 1) : vertices);
     if (integrator.type->find("rrthreshold") != nullptr) {
         to.roulette_threshold = p.number("rrthreshold");
     }
