@@ -29,12 +29,6 @@ SceneWriter writer_of(const ConvertArguments& a) {
     return find_scene_writer("." + (a.output_format.empty() ? "p3f" : a.output_format));
 }
 
-/// Returns whether both are the same file.
-bool is_same_file(const std::string& a, const std::string& b) {
-    std::error_code none;
-    return std::filesystem::equivalent(a, b, none);
-}
-
 /// Returns why the output cannot be written, and the exit status; an empty text if it can.
 std::pair<std::string, int> check_output(const ConvertArguments& a) {
     if (a.output == "-") return {};
@@ -47,10 +41,7 @@ std::pair<std::string, int> check_output(const ConvertArguments& a) {
             fmt::format("{}: expected a name ending in {}, or -", a.output, writable_extensions()),
             exit_usage};
     }
-    if (is_same_file(a.scene.path, a.output)) {
-        return {a.output + ": is the scene itself; expected another file", exit_usage};
-    }
-    return {check_writable(a.output), exit_not_written};
+    return check_outputs({a.output}, {a.scene.path});
 }
 
 /// Reports what the format cannot express; returns false if that is an error.
@@ -87,7 +78,7 @@ int convert_text(const ConvertArguments& a, std::optional<std::string_view> text
     const LoadedScene loaded = load(a.scene, text);
     if (!loaded.scene) return loaded.status;
     if (loaded.scene->is_physical()) {
-        print_message("{}: a scene of {} cannot be converted yet; expected one of {}\n",
+        print_message("{}: error: a scene of {} cannot be converted to P3F; expected one of {}\n",
                       a.scene.path, loaded.scene->format, "P3F, NFF, PRT or SCE");
         return exit_unusable;
     }
@@ -101,6 +92,7 @@ int convert(const ConvertArguments& a) {
         print_message("etalon: error: {}\n", error);
         return status;
     }
+    limit_memory(a.scene);
     try {
         const FileText file = read_file(a.scene.path);
         return convert_text(a, file.error.empty() ? std::optional(file.text()) : std::nullopt);

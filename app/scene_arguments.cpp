@@ -80,8 +80,12 @@ bool refuse_frame(const SceneArguments& a, int frames) {
     return true;
 }
 
-LoadedScene load(SceneArguments a, std::optional<std::string_view> text) {
+void limit_memory(const SceneArguments& a) {
     limit_memory(parse_bytes(a.max_memory).value_or(0));
+}
+
+LoadedScene load(SceneArguments a, std::optional<std::string_view> text) {
+    limit_memory(a);
     a.options.legacy = !a.legacy.empty();
     LoadResult result =
         text ? load_scene_text(*text, a.path, a.options) : load_scene(a.path, a.options);

@@ -31,6 +31,9 @@ struct LoadedScene {
 /// Reports that a file has fewer frames than --frame requests; returns false if it has enough.
 bool refuse_frame(const SceneArguments& arguments, int frames);
 
+/// Limits the memory of the process by --max-memory.
+void limit_memory(const SceneArguments& arguments);
+
 /// Limits the memory of the process, loads the scene and prints its diagnostics on standard error.
 /// `text` is that of the file, if it has been read already.
 LoadedScene load(SceneArguments arguments, std::optional<std::string_view> text = {});

@@ -125,7 +125,8 @@ int measure_accuracy(const AccuracyArguments& a) {
         return exit_usage;
     }
     const std::string plots = a.plots.empty() ? "" : a.plots + "/shape.svg";
-    if (const auto [error, status] = check_outputs({a.json, a.markdown, plots}); !error.empty()) {
+    if (const auto [error, status] = check_outputs({a.json, a.markdown, plots}, {});
+        !error.empty()) {
         print_message("etalon-bench: error: {}\n", error);
         return status;
     }

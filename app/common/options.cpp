@@ -4,7 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -33,15 +34,27 @@ struct ValueOf<std::optional<T>> {
 template <class T>
 constexpr bool is_whole = std::is_integral_v<T>;
 
-/// Reads a number as CLI11 does, but without wrapping around: CLI11 takes -1 for the largest
-/// unsigned one.
+/// Reads a number: CLI11 would take -1 for the largest unsigned one, and 010 for 8.
 template <class T>
 std::optional<T> parse(const std::string& text) {
     T value{};
-    errno = 0;
-    if (std::is_unsigned_v<T> && text.starts_with('-')) return std::nullopt;
-    const bool fits = CLI::detail::lexical_cast(text, value) && (!is_whole<T> || errno != ERANGE);
-    return fits ? std::optional(value) : std::nullopt;
+    if constexpr (is_whole<T>) {
+        const char* const end = text.data() + text.size();
+        const auto [rest, error] = std::from_chars(text.data(), end, value);
+        return error == std::errc() && rest == end ? std::optional(value) : std::nullopt;
+    } else {
+        return CLI::detail::lexical_cast(text, value) ? std::optional(value) : std::nullopt;
+    }
+}
+
+/// Removes the leading zeros of a whole number, for CLI11, to which they mean octal numbers.
+std::string without_leading_zeros(std::string text) {
+    const std::size_t sign = text.starts_with('-') ? 1 : 0;
+    const std::size_t first = text.find_first_not_of('0', sign);
+    const bool is_zero = first == std::string::npos && text.size() > sign;
+    const bool has_more = first != std::string::npos && first > sign && std::isdigit(text[first]);
+    if (is_zero) return "0";
+    return has_more ? text.erase(sign, first - sign) : text;
 }
 
 /// Returns "TEXT: expected ..." unless the text is a number that `accepts`.
@@ -185,8 +198,12 @@ Option Options::add(const std::string& names, T& value, const std::string& help)
     if constexpr (std::is_arithmetic_v<Value>) {
         option->type_name(is_whole<Value> ? "N" : "X");
         option->check(any_check<Value>());
+        if constexpr (is_whole<Value>) option->transform(without_leading_zeros);
     } else {
         option->type_name("NAME");
+        option->check([](const std::string& text) {
+            return text.empty() ? "expected a value, not an empty text" : std::string();
+        });
     }
     return {*option, choices_};
 }

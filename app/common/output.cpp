@@ -11,31 +11,88 @@
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "core/base/link_target.h"
 #include "core/image/atomic_file.h"
 
 namespace etalon {
 
-std::string check_writable(const std::string& path) {
-    namespace fs = std::filesystem;
-    std::error_code ignored;
-    const fs::path parent = fs::path(path).parent_path();
-    const std::string directory = parent.empty() ? "." : parent.string();
-    const std::string unwritable = path + ": cannot be written: ";
-    if (fs::is_directory(path, ignored)) return unwritable + "is a directory";
-    if (!fs::is_directory(directory, ignored))
-        return unwritable + directory + " is not a directory";
-    if (access(directory.c_str(), W_OK) == 0) return {};
-    const std::string place = parent.empty() ? "this folder" : directory;
-    if (errno == EACCES) return unwritable + "no permission in " + place;
-    return unwritable + place + ": " + std::generic_category().message(errno);
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_named(const std::string& path) {
+    return !path.empty() && path != "-";
 }
 
-std::pair<std::string, int> check_outputs(const std::vector<std::string>& paths) {
-    if (std::ranges::count(paths, "-") > 1) {
+bool is_device(const std::string& path) {
+    std::error_code none;
+    return fs::exists(path, none) && !fs::is_regular_file(path, none);
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+    std::error_code none;
+    if (fs::equivalent(a, b, none)) return true;
+    return fs::weakly_canonical(link_target(a), none) == fs::weakly_canonical(link_target(b), none);
+}
+
+/// Returns why a new file cannot be made in the folder; empty if it looks possible.
+std::string check_folder(const std::string& folder, const std::string& name) {
+    std::error_code none;
+    const std::string place = folder.empty() ? "." : folder;
+    if (!fs::is_directory(place, none)) return place + " is not a directory";
+    const long longest = ::pathconf(place.c_str(), _PC_NAME_MAX);
+    if (longest > 0 && name.size() > static_cast<std::size_t>(longest)) {
+        return std::generic_category().message(ENAMETOOLONG);
+    }
+    if (::access(place.c_str(), W_OK) == 0) return {};
+    const std::string shown = folder.empty() ? "this folder" : folder;
+    if (errno == EACCES) return "no permission in " + shown;
+    return shown + ": " + std::generic_category().message(errno);
+}
+
+}  // namespace
+
+std::string check_writable(const std::string& path) {
+    std::error_code none;
+    const std::string unwritable = path + ": cannot be written: ";
+    if (fs::is_directory(path, none)) return unwritable + "is a directory";
+    if (fs::exists(path, none) && ::access(path.c_str(), W_OK) != 0) {
+        return unwritable + std::generic_category().message(errno);
+    }
+    if (is_device(path)) return {};
+    const fs::path target = link_target(path);
+    const std::string error = check_folder(target.parent_path(), target.filename());
+    return error.empty() ? "" : unwritable + error;
+}
+
+std::string find_clash(const std::vector<std::string>& outputs,
+                       const std::vector<std::string>& inputs) {
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const std::string& output = outputs[i];
+        if (!is_named(output) || is_device(output)) continue;
+        const auto is_it = [&](const std::string& other) {
+            return is_named(other) && is_same_file(output, other);
+        };
+        if (std::any_of(outputs.begin(), outputs.begin() + i, is_it)) {
+            return output + ": is given for two outputs; expected two files";
+        }
+        if (std::ranges::any_of(inputs, is_it)) {
+            return output + ": is an input, which would be lost; expected another file";
+        }
+    }
+    return {};
+}
+
+std::pair<std::string, int> check_outputs(const std::vector<std::string>& outputs,
+                                          const std::vector<std::string>& inputs) {
+    if (std::ranges::count(outputs, "-") > 1) {
         return {"only one output can be -, standard output", exit_usage};
     }
-    for (const std::string& path : paths) {
-        if (path.empty() || path == "-") continue;
+    if (std::string error = find_clash(outputs, inputs); !error.empty()) {
+        return {std::move(error), exit_usage};
+    }
+    for (const std::string& path : outputs) {
+        if (!is_named(path)) continue;
         if (std::string error = check_writable(path); !error.empty()) {
             return {std::move(error), exit_not_written};
         }

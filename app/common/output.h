@@ -11,10 +11,16 @@ namespace etalon {
 /// looks writable. Called before long work.
 std::string check_writable(const std::string& path);
 
+/// Returns which file is given for two outputs, or for an output and an input; empty if none is.
+/// Devices may be both.
+std::string find_clash(const std::vector<std::string>& outputs,
+                       const std::vector<std::string>& inputs);
+
 /// Returns why these outputs cannot all be written, as far as can be told in advance, and the exit
 /// status for that; an empty text if they can. "-" is standard output, which can take only one of
-/// them; empty paths are outputs that were not requested.
-std::pair<std::string, int> check_outputs(const std::vector<std::string>& paths);
+/// them; empty paths are files that were not requested.
+std::pair<std::string, int> check_outputs(const std::vector<std::string>& outputs,
+                                          const std::vector<std::string>& inputs);
 
 /// Returns why standard output should not get the bytes of an image: it is a terminal. Empty if it
 /// may.

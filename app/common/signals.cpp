@@ -46,7 +46,7 @@ SignalGuard::~SignalGuard() {
     }
 }
 
-const std::atomic<bool>& SignalGuard::raised() const {
+const std::atomic<bool>& SignalGuard::raised() {
     return was_raised;
 }
 
@@ -54,7 +54,7 @@ void SignalGuard::interrupt() {
     if (!was_raised) handle(SIGINT);
 }
 
-int SignalGuard::signal() const {
+int SignalGuard::signal() {
     return signal_number;
 }
 

@@ -13,8 +13,8 @@ class SignalGuard {
     SignalGuard(const SignalGuard&) = delete;
     SignalGuard& operator=(const SignalGuard&) = delete;
 
-    const std::atomic<bool>& raised() const;
-    int signal() const;  ///< number of the signal; 0 if there was none
+    static const std::atomic<bool>& raised();
+    static int signal();  ///< number of the signal; 0 if there was none
 
     /// Acts like a first SIGINT. Thread-safe; may be called repeatedly.
     static void interrupt();

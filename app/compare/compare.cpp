@@ -40,19 +40,27 @@ std::string write_heatmap(const std::string& path, const PixelPlane& map) {
     return file ? write_file_atomically(path, file.value) : path + ": " + file.error;
 }
 
-int write(const Arguments& a, const Metrics& metrics, const PixelPlane& map) {
-    write_table(a.json, as_text(metrics));
-    if (!a.json.empty() && !write_json(a.json, as_json(metrics))) return exit_not_written;
-    const std::string error = a.heatmap.empty() ? "" : write_heatmap(a.heatmap, map);
-    return error.empty() ? exit_done : fail(exit_not_written, error);
+void note_window(const Imath::Box2i& window) {
+    const Imath::V2i size = window.size() + Imath::V2i(1);
+    print_message("etalon: note: compared are the {} x {} pixels at {},{}, which both show\n",
+                  size.x, size.y, window.min.x, window.min.y);
 }
 
-std::string check_outputs(const Arguments& a) {
-    for (const std::string& path : {a.json, a.heatmap}) {
-        if (path.empty() || path == "-") continue;
-        if (std::string error = check_writable(path); !error.empty()) return error;
+nlohmann::ordered_json json_of(const ImagePair& images, const Metrics& metrics) {
+    nlohmann::ordered_json json = as_json(metrics);
+    if (images.window) {
+        const auto& [min, max] = *images.window;
+        json["window"] = {min.x, min.y, max.x + 1, max.y + 1};
     }
-    return {};
+    return json;
+}
+
+int write(const Arguments& a, const ImagePair& images, const Metrics& metrics,
+          const PixelPlane& map) {
+    write_table(a.json, as_text(metrics));
+    if (!a.json.empty() && !write_json(a.json, json_of(images, metrics))) return exit_not_written;
+    const std::string error = a.heatmap.empty() ? "" : write_heatmap(a.heatmap, map);
+    return error.empty() ? exit_done : fail(exit_not_written, error);
 }
 
 int check_limits(const Arguments& a, const Metrics& metrics) {
@@ -65,17 +73,17 @@ int check_limits(const Arguments& a, const Metrics& metrics) {
 }
 
 int run(const Arguments& a) {
-    if (const std::string error = check_outputs(a); !error.empty())
-        return fail(exit_not_written, error);
+    if (const auto [error, status] = check_outputs({a.json, a.heatmap}, {a.a, a.b}); !error.empty())
+        return fail(status, error);
     const Result<ImagePair> images = read_image_pair(a.a, a.b);
     if (!images) return fail(exit_unusable, images.error);
-    if (!images.value.note.empty()) print_message("etalon: note: {}\n", images.value.note);
+    if (images.value.window) note_window(*images.value.window);
     const auto& [first, second] = images.value.pixels;
     warn_of_unbounded(a.a, first);
     warn_of_unbounded(a.b, second);
     const PixelPlane map = flip_map(first, second, images.value.width);
     const Metrics metrics = measure(first, second, map);
-    const int status = write(a, metrics, map);
+    const int status = write(a, images.value, metrics, map);
     return status == exit_done ? check_limits(a, metrics) : status;
 }
 

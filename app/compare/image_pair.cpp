@@ -56,8 +56,7 @@ void cut(ImagePair& images, const Image& a, const Image& b, const Imath::Box2i& 
     cut_one(images.pixels[1], b, a);
     const Imath::V2i size = window.size() + Imath::V2i(1);
     images.width = size.x, images.height = size.y;
-    images.note = fmt::format("compared are the {} x {} pixels at {},{}, which both show", size.x,
-                              size.y, window.min.x, window.min.y);
+    images.window = window;
 }
 
 /// Returns whether the pair is compared by display values: one has them, and the other, if a PNG,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace etalon::compare {
 struct ImagePair {
     int width = 0, height = 0;
     std::array<std::vector<Color>, 2> pixels;  ///< linear RGB, or display values, by rows
-    std::string note{};                        ///< describes the part, if an image shows more
+    std::optional<Imath::Box2i> window{};      ///< the part, if an image shows more
 };
 
 /// Reads two files of any format of read_image. A failure's reason begins with the path at fault.

@@ -48,14 +48,15 @@ bool write(const Arguments& a, const crosscheck::Results& results) {
 }
 
 int run(const Arguments& a) {
-    if (const auto [error, status] = check_outputs({a.json, a.rays_out}); !error.empty()) {
+    if (const auto [error, status] = check_outputs({a.json, a.rays_out}, {a.scene.path});
+        !error.empty()) {
         print_message("etalon: error: {}\n", error);
         return status;
     }
-    const SignalGuard signals;
     LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;
     if (!make_cut_outs(*loaded.scene, a.scene)) return exit_unusable;
+    const SignalGuard signals;
     const crosscheck::Results results = crosscheck_scene(a, loaded, signals.raised());
     const bool written = write(a, results);
     if (signals.signal() != 0) return exit_signal + signals.signal();

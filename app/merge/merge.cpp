@@ -77,6 +77,7 @@ RenderedImage image_of(const MergedFilms& merged) {
     image.keep_display_values = settings.keep_display_values;
     image.metadata = metadata_of(merged.metadata);
     image.metadata.erase("stopped");
+    if (!merged.stopped.empty()) image.metadata["stopped"] = merged.stopped.front().reason;
     image.metadata["samplesPerPixel"] = samples_per_pixel(merged);
     image.metadata["seed"] = seeds_text(merged);
     for (const MergedFilm& m : merged.films) put(m, image);
@@ -126,12 +127,21 @@ void warn_of_gaps(const MergedFilms& merged, const RenderedImage& image) {
                   image.pixels.size() - pixels);
 }
 
+/// The samples that they miss cannot be merged in later, as their share counts as rendered.
+void warn_of_stopped(const MergedFilms& merged) {
+    for (const StoppedFile& file : merged.stopped) {
+        print_message("{}: warning: its rendering was stopped ({}): it has less than its share\n",
+                      file.path, file.reason);
+    }
+}
+
 int run(const Arguments& a) {
     if (const std::string error = check_writable(a.output); !error.empty()) {
         return fail(exit_not_written, error);
     }
     Result<MergedFilms> merged = merge_films(a.parts);
     if (!merged) return fail(exit_unusable, merged.error);
+    warn_of_stopped(merged.value);
     const RenderedImage image = image_of(merged.value);
     warn_of_gaps(merged.value, image);
     const std::string error = write(a.output, merged.value, image);

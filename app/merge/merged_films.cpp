@@ -118,7 +118,11 @@ Result<MergedFilms> merge_films(const std::vector<std::string>& paths) {
     if (std::string error = check(inputs); !error.empty()) return {{}, std::move(error)};
     std::ranges::sort(inputs, {}, &Input::key);
     const FilmAppendix& first = *inputs.front().appendix;
-    MergedFilms result{first.identity, first.metadata, {}};
+    MergedFilms result{first.identity, first.metadata, {}, {}};
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const std::string reason = appendices[i].metadata.value("stopped", "");
+        if (!reason.empty()) result.stopped.push_back({paths[i], reason});
+    }
     for (const Input& input : inputs) {
         if (!add(input, result))
             return {{}, *input.path + ": the sums behind the image are damaged"};

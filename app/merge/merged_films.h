@@ -15,9 +15,15 @@ struct MergedFilm {
     std::unique_ptr<ImageFilm> film;
 };
 
+/// A file whose rendering was stopped, and why.
+struct StoppedFile {
+    std::string path, reason;
+};
+
 struct MergedFilms {
     nlohmann::ordered_json identity, metadata;  ///< of the first file in order
     std::vector<MergedFilm> films;              ///< of windows that do not overlap
+    std::vector<StoppedFile> stopped;
 };
 
 /// Adds the films of these files one after the other, in an order that does not depend on that of

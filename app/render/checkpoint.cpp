@@ -112,7 +112,8 @@ std::string CheckpointReader::open(const std::string& path,
                                    const nlohmann::ordered_json& identity) {
     std::error_code error;
     const std::uint64_t size = std::filesystem::file_size(path, error);
-    file_.open(path, std::ios::binary);
+    if (!error && !std::filesystem::is_regular_file(path)) return path + ": is no regular file";
+    if (!error) file_.open(path, std::ios::binary);
     if (error || !file_) return path + ": cannot be read" + (error ? ": " + error.message() : "");
     const std::string first = read_line(file_), second = read_line(file_);
     if (!first.starts_with(kind)) return path + ": is not a checkpoint, or is damaged";

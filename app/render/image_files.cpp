@@ -19,7 +19,12 @@ std::string default_output(const std::string& scene) {
 int check_image_files(const RenderArguments& a) {
     std::vector<std::string> paths = a.outputs;
     paths.push_back(a.stats);
-    auto [error, status] = check_outputs(paths);
+    auto [error, status] = check_outputs(paths, {a.scene.path, a.reference});
+    paths.push_back(a.checkpoint);
+    if (error.empty()) {
+        error = find_clash(paths, {a.scene.path, a.reference});
+        status = exit_usage;
+    }
     const bool uses_standard_output = std::ranges::count(paths, "-") > 0;
     if (error.empty() && a.serve && uses_standard_output) {
         error = "standard output has the address of the page; expected files";

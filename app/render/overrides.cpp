@@ -1,7 +1,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <array>
+#include <charconv>
+#include <optional>
 
 #include "app/common/backends.h"
 #include "app/render/aovs.h"
@@ -33,13 +35,30 @@ Imath::Box2i resized(const Imath::Box2i& window, const Imath::V2i& from, const I
     return result;
 }
 
+/// Returns the numbers of a text that consists of whole numbers with separators between them.
+template <std::size_t count>
+std::optional<std::array<int, count>> whole_numbers(std::string_view text, char separator) {
+    std::array<int, count> numbers;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto [end, error] =
+            std::from_chars(text.data(), text.data() + text.size(), numbers[i]);
+        if (error != std::errc()) return std::nullopt;
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        if (i + 1 == count) break;
+        if (!text.starts_with(separator)) return std::nullopt;
+        text.remove_prefix(1);
+    }
+    return text.empty() ? std::optional(numbers) : std::nullopt;
+}
+
 std::string apply_resolution(const std::string& text, RenderSettings& settings) {
     if (text.empty()) return {};
-    int width = 0, height = 0;
-    char rest = 0;
-    const bool parsed = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
-    if (!parsed || width < 1 || height < 1) {
-        return "--resolution " + text + ": expected WIDTHxHEIGHT, e.g. 640x480";
+    const auto parsed = whole_numbers<2>(text, 'x');
+    const auto [width, height] = parsed.value_or(std::array{0, 0});
+    if (width < 1 || height < 1) {
+        return fmt::format(
+            "--resolution {}: expected WIDTHxHEIGHT, e.g. 640x480, at most {} pixels a side", text,
+            max_image_side);
     }
     if (std::max(width, height) > max_image_side) {
         return fmt::format("--resolution {}: expected at most {} pixels a side", text,
@@ -53,12 +72,11 @@ std::string apply_resolution(const std::string& text, RenderSettings& settings) 
 
 std::string apply_crop(const std::string& text, RenderSettings& settings) {
     if (text.empty()) return {};
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-    char rest = 0;
-    const bool parsed = std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &x0, &y0, &x1, &y1, &rest) == 4;
+    const auto parsed = whole_numbers<4>(text, ',');
+    const auto [x0, y0, x1, y1] = parsed.value_or(std::array{0, 0, 0, 0});
     const Imath::V2i& size = settings.resolution;
     const bool inside = 0 <= x0 && x0 < x1 && x1 <= size.x && 0 <= y0 && y0 < y1 && y1 <= size.y;
-    if (!parsed || !inside) {
+    if (!inside) {
         return fmt::format("--crop {}: expected X0,Y0,X1,Y1 inside 0,0,{},{}", text, size.x,
                            size.y);
     }
@@ -125,12 +143,13 @@ std::string check_exposure(const RenderArguments& a) {
 
 std::string apply_part(const RenderArguments& a, RenderSettings& settings) {
     if (a.part.empty()) return {};
-    char rest = 0;
-    const bool parsed =
-        std::sscanf(a.part.c_str(), "%d/%d%c", &settings.part, &settings.parts, &rest) == 2;
-    if (!parsed || settings.part < 1 || settings.part > settings.parts) {
+    const auto parsed = whole_numbers<2>(a.part, '/');
+    const auto [part, parts] = parsed.value_or(std::array{0, 0});
+    if (part < 1 || part > parts) {
         return "--part " + a.part + ": expected I/N, the I-th of N shares, e.g. 2/4";
     }
+    settings.part = part;
+    settings.parts = parts;
     if (settings.samples_per_pixel < settings.parts) {
         return fmt::format("--part {}: there are {} samples per pixel to share; expected --spp {}",
                            a.part, settings.samples_per_pixel, settings.parts);

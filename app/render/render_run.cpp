@@ -37,7 +37,7 @@ void limit_threads(int threads) {
 
 int RenderRun::run() {
     const int status = render_and_write();
-    if (is_written_) views_.show_end(signals_.raised());
+    if (is_written_) views_.show_end(SignalGuard::raised());
     return status;
 }
 
@@ -71,7 +71,7 @@ int RenderRun::render_and_write() {
     const bool usable = tolerates(scene_, a_.scene, integrator_->late_problems());
     const bool written = rendering.counts.camera == 0 || write(rendering);
     is_written_ = written;
-    if (signals_.signal() != 0) return exit_signal + signals_.signal();
+    if (SignalGuard::signal() != 0) return exit_signal + SignalGuard::signal();
     if (!written) return exit_not_written;
     return usable ? exit_done : exit_unusable;
 }
@@ -79,6 +79,7 @@ int RenderRun::render_and_write() {
 int RenderRun::prepare() {
     LoadedScene loaded = source_.load();
     if (!loaded.scene) return loaded.status;
+    signals_.emplace();
     scene_ = std::move(*loaded.scene);
     settings_ = std::move(loaded.settings);
     prepare_scene(a_.integrator, scene_, settings_);
@@ -96,11 +97,11 @@ bool RenderRun::report_ranks() const {
     if (!dealer_) return true;
     const std::string resumable =
         a_.checkpoint.empty() ? "" : "; --resume goes on from " + a_.checkpoint;
-    if (signals_.signal() != 0) {
+    if (SignalGuard::signal() != 0) {
         print_message(
             "etalon: rank 0 was ended by signal {}: a rank has died, or mpirun was told to "
             "end{}\n",
-            signals_.signal(), resumable);
+            SignalGuard::signal(), resumable);
     }
     const std::string error = dealer_->error();
     return error.empty() || complain(error + resumable);
@@ -149,7 +150,7 @@ Rendering RenderRun::render_image() {
     RunControl control;
     views_.attach(settings_, control);
     if (a_.time_limit > 0) control.deadline = Deadline(a_.time_limit);
-    control.stop = &signals_.raised();
+    control.stop = &SignalGuard::raised();
     kept_.attach(control);
     if (dealer_) {
         dealer_->listen(kept_.identity());
@@ -173,7 +174,7 @@ Rendering RenderRun::render_image() {
 std::vector<Channel> RenderRun::make_channels(const Film& film) {
     std::vector<std::string> missing;
     auto channels =
-        make_aovs(a_.aovs, scene_, *intersector_, film, settings_, signals_.raised(), missing);
+        make_aovs(a_.aovs, scene_, *intersector_, film, settings_, SignalGuard::raised(), missing);
     for (const std::string& name : missing) {
         print_message("etalon: warning: stopped before {} was made\n", name);
     }
@@ -222,8 +223,8 @@ void RenderRun::fill_stats(const Rendering& rendering) {
 }
 
 std::string RenderRun::why_stopped(const Rendering& rendering) const {
-    if (signals_.signal() != 0) return "signal";
-    return rendering.complete ? "" : "time-limit";
+    if (rendering.complete) return "";
+    return SignalGuard::signal() != 0 ? "signal" : "time-limit";
 }
 
 nlohmann::ordered_json RenderRun::stats_json(const Rendering& rendering) const {

@@ -34,7 +34,7 @@ class RenderRun {
     int work();
 
     /// Returns whether a signal requested the end.
-    bool is_interrupted() const { return signals_.raised(); }
+    bool is_interrupted() const { return SignalGuard::raised(); }
 
   private:
     int render_and_write();
@@ -63,7 +63,7 @@ class RenderRun {
     KeptState kept_{a_, ranks_.size() > 1};
     SceneSource source_{a_, ranks_};
     std::optional<RankDealer> dealer_;
-    SignalGuard signals_;
+    std::optional<SignalGuard> signals_;  ///< once there is something to save
     Stopwatch watch_;
     Scene scene_;
     RenderSettings settings_;

@@ -19,7 +19,7 @@ std::string error_reached(const RenderArguments& arguments, const Rendering& ren
     } else if (is_adaptive) {
         text += ", relMSE unknown";
     }
-    if (reference != nullptr) {
+    if (reference != nullptr && !reference->history().empty()) {
         const double error = reference->history().back()["relmse"];
         text += fmt::format(", relMSE {:.2e} from {}", error, arguments.reference);
     }

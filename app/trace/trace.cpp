@@ -29,7 +29,7 @@ std::string describe(const Scene& scene, const Ray& ray, const std::optional<Hit
 
 /// Reports problems with the files of the arguments; returns the exit status.
 int check_files(const TraceArguments& a) {
-    auto [error, status] = check_outputs({a.output});
+    auto [error, status] = check_outputs({a.output}, {a.scene.path, a.rays});
     if (a.rays == "-" && a.scene.path == "-") {
         error = "the scene and the rays cannot both be standard input";
         status = exit_usage;

@@ -85,7 +85,7 @@ std::string measure_foreign_images(ConvergenceArguments& a, const RenderSettings
 }
 
 int measure_convergence(ConvergenceArguments a) {
-    const auto [error, status] = check_outputs({a.json, a.csv});
+    const auto [error, status] = check_outputs({a.json, a.csv}, {a.scene});
     if (!error.empty()) return fail(status, error);
     Stopwatch reading;
     bench::NamedScene named = bench::bench_scene(a.scene);

@@ -29,10 +29,9 @@ struct FramesArguments {
 };
 
 int measure_frames(FramesArguments a) {
-    const std::string error = a.json.empty() || a.json == "-" ? "" : check_writable(a.json);
-    if (!error.empty()) {
+    if (const auto [error, status] = check_outputs({a.json}, a.scenes); !error.empty()) {
         print_message("etalon-bench: error: {}\n", error);
-        return exit_not_written;
+        return status;
     }
     const SignalGuard signals;
     a.plan.stop = &signals.raised();

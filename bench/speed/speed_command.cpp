@@ -100,10 +100,10 @@ int check_arguments(const SpeedArguments& a) {
     }
     write_message(complaints);
     if (!complaints.empty()) return exit_unusable;
-    const std::string error = a.json.empty() || a.json == "-" ? "" : check_writable(a.json);
+    const auto [error, status] = check_outputs({a.json}, a.scenes);
     if (error.empty()) return exit_done;
     print_message("etalon-bench: error: {}\n", error);
-    return exit_not_written;
+    return status;
 }
 
 /// Writes the file after every scene, so that an interrupted run keeps its results.

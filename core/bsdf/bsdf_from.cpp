@@ -8,9 +8,8 @@ constexpr bool is_specular(LobeKind kind) {
 }
 
 template <class SmoothLobe>
-constexpr bool is_diffuse = requires {
-    SmoothLobe::is_diffuse;
-};
+constexpr bool is_one_sided =
+    SmoothLobe::kind == LobeKind::reflection || SmoothLobe::kind == LobeKind::transmission;
 
 /// Returns the index on the other side over that on the side of `wo` if the lobe transmits light.
 template <class SmoothLobe>
@@ -58,6 +57,7 @@ LobeKind BsdfFrom::side(const Vec3& wi) const {
 }
 
 Evaluation BsdfFrom::evaluate_local(const Vec3f& wi, LobeKind side) const {
+    const bool is_turned = (wo_.z * wi.z > 0) != (side == LobeKind::reflection);
     Evaluation sum;
     for (std::size_t k = 0; k < lobes_.size(); ++k) {
         visit_lobe(
@@ -66,8 +66,10 @@ Evaluation BsdfFrom::evaluate_local(const Vec3f& wi, LobeKind side) const {
                 if constexpr (!is_specular(L::kind)) {
                     const Evaluation part = lobe.evaluate(wo_, wi);
                     if (scatters_to(side, L::kind)) sum.f += part.f;
-                    if (!is_diffuse<L> || L::kind == side) {
+                    if (!is_one_sided<L>) {
                         sum.pdf += picks_[k] * part.pdf;
+                    } else if (L::kind == side) {
+                        sum.pdf += picks_[k] * (is_turned ? lobe.evaluate(wo_, -wi).pdf : part.pdf);
                     }
                 }
             },
@@ -82,10 +84,10 @@ Evaluation BsdfFrom::evaluate(const Vec3& wi) const {
 }
 
 std::optional<BsdfSample> BsdfFrom::sample_smooth(Vec3f local_wi,
-                                                  std::optional<LobeKind> diffuse_side) const {
+                                                  std::optional<LobeKind> own_side) const {
     Vec3 wi = frame_.to_world(Vec3(local_wi));
     LobeKind where = side(wi);
-    const bool turned = diffuse_side && where != *diffuse_side;
+    const bool turned = own_side && where != *own_side;
     if (turned) {
         wi = -wi;
         local_wi = -local_wi;
@@ -121,9 +123,9 @@ std::optional<BsdfSample> BsdfFrom::sample(float lobe_choice, const Vec2& uv) co
             } else {
                 const std::optional<Vec3f> local_wi = lobe.sample(wo_, uv);
                 if (!local_wi) return {};
-                std::optional<LobeKind> diffuse_side;
-                if (is_diffuse<L>) diffuse_side = L::kind;
-                auto sampled = sample_smooth(*local_wi, diffuse_side);
+                std::optional<LobeKind> own_side;
+                if (is_one_sided<L>) own_side = L::kind;
+                auto sampled = sample_smooth(*local_wi, own_side);
                 if (sampled) sampled->eta = index_beyond(lobe, wo_);
                 return sampled;
             }

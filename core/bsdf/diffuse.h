@@ -9,7 +9,6 @@ namespace etalon {
 /// Lambertian reflection: the same radiance in all directions.
 struct LambertReflection {
     static constexpr LobeKind kind = LobeKind::reflection;
-    static constexpr bool is_diffuse = true;
     Color reflectance;
 
     Evaluation evaluate(const Vec3f&, const Vec3f& wi) const {
@@ -25,7 +24,6 @@ struct LambertReflection {
 /// Lambertian transmission to the other side.
 struct LambertTransmission {
     static constexpr LobeKind kind = LobeKind::transmission;
-    static constexpr bool is_diffuse = true;
     Color transmittance;
 
     Evaluation evaluate(const Vec3f&, const Vec3f& wi) const {

@@ -14,7 +14,6 @@ namespace etalon {
 /// eta^2 here.
 struct DiffuseExit {
     static constexpr LobeKind kind = LobeKind::reflection;
-    static constexpr bool is_diffuse = true;
     Color factor;
     float index;  ///< below over above
 

@@ -12,7 +12,6 @@ namespace etalon {
 /// The diffuse base: four formulas, each of which pbrt-v3 has as a lobe.
 struct DisneyBase {
     static constexpr LobeKind kind = LobeKind::reflection;
-    static constexpr bool is_diffuse = true;
     Color color;
     float roughness;
     float diffuse;  ///< diffuse fraction of the colour

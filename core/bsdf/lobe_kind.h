@@ -4,10 +4,9 @@
 // never 0 where it scatters any; `scale(by)`, which multiplies it. Smooth lobes: `evaluate(wo,
 // wi)`, which is defined for any two directions, though only the lobes of the side on which `wi`
 // lies by the geometric normal are evaluated; `sample(wo, uv)`, a direction with the density that
-// `evaluate` returns, or none. Diffuse lobes are smooth ones with `is_diffuse`. Their value is
-// about the same for all directions on one side of the geometric normal, and their density too is
-// defined for any two directions: samples on the wrong side of that normal must be reflected to the
-// other. Specular lobes: `sample(wo, choice)`.
+// `evaluate` returns, or none. Samples of a lobe of one side that lie on the other by the geometric
+// normal are turned to the opposite direction, between the horizons of both normals, where the lobe
+// may have a value too. Specular lobes: `sample(wo, choice)`.
 #pragma once
 
 #include <cstdint>

@@ -6,6 +6,11 @@
 
 namespace etalon {
 
+/// Returns whether rays pass facets of the index straight, so that no direction tells the facet.
+inline bool passes_straight(float eta) {
+    return std::abs(eta - 1) < 1e-5F;
+}
+
 /// Refraction by microfacets between dielectrics: Walter et al. 2007, "Microfacet Models for
 /// Refraction through Rough Surfaces". It transports radiance, which is divided by eta^2.
 ///

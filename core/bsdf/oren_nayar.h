@@ -11,7 +11,6 @@ namespace etalon {
 class OrenNayarReflection {
   public:
     static constexpr LobeKind kind = LobeKind::reflection;
-    static constexpr bool is_diffuse = true;
 
     /// `sigma` is the standard deviation of the facets' angles, in degrees.
     OrenNayarReflection(const Color& reflectance, float sigma);

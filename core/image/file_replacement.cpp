@@ -30,10 +30,9 @@ std::string name_beside(const fs::path& path) {
 
 FileReplacement::FileReplacement(const std::string& path) : path_(path) {
     try {
-        const fs::path target = fs::exists(path) ? fs::canonical(path) : link_target(path);
-        if (fs::exists(target) && !fs::is_regular_file(target)) error_ = EINVAL;
-        temporary_ = name_beside(target);
-        path_ = target;
+        path_ = fs::exists(path) ? fs::canonical(path) : link_target(path);
+        temporary_ = name_beside(path_);
+        error_ = check_target();
     } catch (const fs::filesystem_error& e) {
         error_ = e.code().value();
     }
@@ -46,17 +45,35 @@ FileReplacement::~FileReplacement() {
     close_file(file_);
 }
 
+/// Notes the permissions of the file that is replaced, if there is one. Returns why it cannot be
+/// replaced, or 0.
+int FileReplacement::check_target() {
+    struct stat present = {};
+    if (::stat(path_.c_str(), &present) != 0) return errno == ENOENT ? 0 : errno;
+    if (!S_ISREG(present.st_mode)) return EINVAL;
+    if (::access(path_.c_str(), W_OK) != 0) return errno;
+    mode_ = present.st_mode & 0777;
+    return 0;
+}
+
+/// Opens a file of this user; whoever else can write to the folder may have put another, or a link,
+/// where it is known to be.
 void FileReplacement::open() {
-    file_ = open_file(temporary_.c_str(), O_WRONLY | O_CREAT);
+    file_ = open_file(temporary_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW);
     if (file_ < 0) {
         error_ = errno;
-    } else if (!lock()) {
-        error_ = EBUSY;
+    } else if (error_ = !is_own() ? EPERM : lock() ? 0 : EBUSY; error_ != 0) {
         close_file(file_);
         file_ = -1;
-    } else if (uninterrupted([&] { return ::ftruncate(file_, 0); }) != 0) {
+    } else if (uninterrupted([&] { return ::ftruncate(file_, 0); }) != 0 ||
+               (mode_ && ::fchmod(file_, *mode_) != 0)) {
         error_ = errno;
     }
+}
+
+bool FileReplacement::is_own() const {
+    struct stat opened = {};
+    return ::fstat(file_, &opened) == 0 && S_ISREG(opened.st_mode) && opened.st_uid == ::geteuid();
 }
 
 /// Locks the file for this process; returns false if another one is writing it, or has just
@@ -64,7 +81,7 @@ void FileReplacement::open() {
 bool FileReplacement::lock() {
     if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
     struct stat opened = {}, named = {};
-    return ::fstat(file_, &opened) == 0 && ::stat(temporary_.c_str(), &named) == 0 &&
+    return ::fstat(file_, &opened) == 0 && ::lstat(temporary_.c_str(), &named) == 0 &&
            opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 

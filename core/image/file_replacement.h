@@ -1,5 +1,8 @@
 #pragma once
 
+#include <sys/types.h>
+
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -7,7 +10,8 @@ namespace etalon {
 
 /// Writes a file in pieces and replaces the old one when it is complete. Until then, and after any
 /// failure, the old file stays unchanged. Meant for files that are replaced again and again: the
-/// next process overwrites what a killed one leaves behind.
+/// next process overwrites what a killed one leaves behind. A new file gets the permissions that
+/// the umask leaves, a replaced one keeps its own.
 class FileReplacement {
   public:
     explicit FileReplacement(const std::string& path);
@@ -23,10 +27,13 @@ class FileReplacement {
     std::string put_in_place();
 
   private:
+    int check_target();
     void open();
+    bool is_own() const;
     bool lock();
 
     std::string path_, temporary_;
+    std::optional<mode_t> mode_;  ///< permissions of the file that is replaced
     int file_ = -1;
     int error_ = 0;  ///< errno of the first call that failed
 };

@@ -54,7 +54,9 @@ AreaPoint SphereArea::sample(const Vec3& from, const Vec2& uv) const {
 
 double SphereArea::pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const {
     const std::optional<double> cap = cone(from);
-    return cap ? 1 / (2 * pi * *cap) : per_steradian(1 / area(), from, position, normal);
+    if (!cap) return per_steradian(1 / area(), from, position, normal);
+    const bool is_far_side = (position - sphere_.centre).dot(position - from) > 0;
+    return is_far_side ? 0 : 1 / (2 * pi * *cap);
 }
 
 RingArea::RingArea(const Ring& ring)

@@ -27,7 +27,7 @@ LightSample Lights::sample(std::uint32_t light, const Vec3& from, const Vec2& uv
         return sample_delta(source, from);
     }
     const AreaLight& area = area_lights_[source.index];
-    if (area.turns_from(from)) return {};
+    if (area.exitance == 0 || area.turns_from(from)) return {};
     const AreaPoint point =
         std::visit([&](const auto& shape) { return shape.sample(from, uv); }, area.shape);
     const Vec3 way = point.position - from;

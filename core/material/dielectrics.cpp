@@ -14,7 +14,9 @@ void add_lobes(const GlassMaterial& material, const PointValues& values, LobeLis
     }
     const TrowbridgeReitz facets = values.facets(roughness);
     if (!is_black(kr)) lobes.add(MicrofacetReflection{kr, facets, DielectricFresnel{eta}});
-    if (!is_black(kt)) lobes.add(MicrofacetTransmission{kt, facets, eta});
+    if (is_black(kt)) return;
+    if (passes_straight(eta)) return lobes.add(SpecularTransmission{kt, 1});
+    lobes.add(MicrofacetTransmission{kt, facets, eta});
 }
 
 void add_lobes(const TranslucentMaterial& material, const PointValues& values, LobeList& lobes) {

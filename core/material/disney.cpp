@@ -61,7 +61,9 @@ void add_transmission(const DisneyPoint& at, LobeList& lobes) {
         // Light that passes twice has the colour.
         const Color& c = at.color;
         const Color part = at.transmission * Color(std::sqrt(c.x), std::sqrt(c.y), std::sqrt(c.z));
-        if (at.material.thin) {
+        if (passes_straight(at.eta)) {
+            lobes.add(SpecularTransmission{part, 1});
+        } else if (at.material.thin) {
             // Burley 2015, figure 15.
             const float scaled = (0.65F * at.eta - 0.35F) * at.roughness;
             lobes.add(MicrofacetTransmission{part, at.facets(scaled), at.eta});

@@ -81,6 +81,7 @@ class Renderer {
         samples_dropped_ = dropped;
         passes.restore(bytes);
         samples_done_ = samples_resumed_ = film_.samples().total_count();
+        shown_ = 0;  // the observers of this process have seen nothing
         return !bytes.failed();
     }
 

@@ -22,7 +22,7 @@ Diagnostic about_file(const ParsedFile& file, Severity severity, std::string mes
 }  // namespace
 
 LoadResult load_pbrt(std::string_view text, const std::string& path, const LoadOptions& options) {
-    ParsedFile file = parse(text, path, {options.strict, options.root});
+    ParsedFile file = parse(text, path, {options.strict, options.root, options.one_sided});
     LoadResult result;
     const bool usable =
         !file.frames.empty() && !file.is_fatal && !(options.strict && has_errors(file.diagnostics));
@@ -41,11 +41,6 @@ LoadResult load_pbrt(std::string_view text, const std::string& path, const LoadO
             fmt::format(
                 "{} frames in one file, of which this is the first; --frame N chooses another",
                 result.frames)));
-    }
-    if (options.one_sided) {
-        file.diagnostics.push_back(
-            about_file(file, options.strict ? Severity::error : Severity::warning,
-                       "--one-sided is not for PBRT scenes: surfaces are seen from both sides"));
     }
     result.scene.emplace();
     result.scene->look = PhysicalLook{};

@@ -19,7 +19,7 @@ std::span<const Frame> wanted_frames(const std::vector<Frame>& frames, int wante
 
 NormalizedFile normalize(std::string_view text, const std::string& path,
                          const std::filesystem::path& directory, const LoadOptions& options) {
-    ParsedFile file = parse(text, path, {options.strict, options.root});
+    ParsedFile file = parse(text, path, {options.strict, options.root, options.one_sided});
     const bool is_refused = options.strict && std::ranges::count(file.diagnostics, Severity::error,
                                                                  &Diagnostic::severity) > 0;
     NormalizedFile result{std::nullopt, std::move(file.diagnostics)};

@@ -129,6 +129,10 @@ ParsedFile parse(std::string_view text, const std::string& path, const ParseOpti
     Parser parser(text, path, options.root, log);
     read_all(parser);
     end_file(parser);
+    if (options.one_sided) {
+        log.warn({}, "file",
+                 "--one-sided is not for PBRT scenes: surfaces are seen from both sides");
+    }
     return {std::move(parser.frames), log.take_files(), log.take(), log.is_fatal()};
 }
 

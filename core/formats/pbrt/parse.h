@@ -13,8 +13,9 @@ namespace etalon::pbrt {
 bool is_directive(std::string_view word);
 
 struct ParseOptions {
-    bool strict = false;  ///< warnings are errors
-    std::string root;     ///< as LoadOptions::root
+    bool strict = false;     ///< warnings are errors
+    std::string root;        ///< as LoadOptions::root
+    bool one_sided = false;  ///< as LoadOptions::one_sided, which PBRT scenes cannot be
 };
 
 struct ParsedFile {

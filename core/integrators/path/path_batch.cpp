@@ -128,6 +128,8 @@ void PathBatch<in_media>::shade(std::size_t ray, const VertexNumbers& numbers) {
         if constexpr (in_media) {
             next_paths_.back().name = ray_name(path.name, true);
             next_media_.push_back(medium_beyond(surface, direction, media_[ray]));
+        } else {
+            next_paths_.back().is_unlit = !path.specular;
         }
         ++counts_.refracted;
         return;

@@ -43,6 +43,7 @@ class PathBatch {
         int depth = 0;             ///< number of scattering vertices
         bool specular = true;      ///< no light could have been sampled for that direction
         bool last_ray = false;     ///< only emission at its end counts
+        bool is_unlit = false;  ///< the ray has passed a surface that hides lights from the vertex
         /// One of the paths split at the first vertex with a smooth lobe, or at the first medium
         /// with a grid.
         bool is_split = false;

@@ -76,6 +76,7 @@ void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_
     next.throughput *= s->f * (cosine / (s->pdf * at.survival));
     next.density = at.expected_ways() * s->pdf;
     next.specular = s->specular;
+    next.is_unlit = false;
     // Like pbrt-v3, uses only sampled lights for directions between the horizons.
     next.last_ray = s->turned || (shared_.direct_only && !s->specular);
     next.roulette_scale *= s->eta * s->eta * favour;

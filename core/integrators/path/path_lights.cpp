@@ -10,7 +10,8 @@ namespace {
 /// Returns the weight of a direction sampled with density `a` that another strategy would have
 /// sampled with `b` (power heuristic: Veach 1997, section 9.2).
 float power_weight(float a, float b) {
-    return a * a / (a * a + b * b);
+    const float ratio = b / a;  // whose square is finite, or the weight is 0
+    return 1 / (1 + ratio * ratio);
 }
 
 /// The same for lights whose density is compensated (balance heuristic: Karlik et al. 2019).
@@ -22,6 +23,7 @@ float balance_weight(float a, float b) {
 
 template <bool in_media>
 void PathBatch<in_media>::add_escaped(const Path& path, const Vec3& direction) {
+    if (path.is_unlit) return;
     for (const std::uint32_t light : shared_.lights.infinite()) {
         const InfiniteLight& infinite = shared_.lights.infinite_light(light);
         const Color radiance = infinite.radiance(direction);
@@ -39,7 +41,7 @@ template <bool in_media>
 void PathBatch<in_media>::add_emitted(const Path& path, const PhysicalSurface& at,
                                       const Vec3& direction) {
     const SurfaceBinding& binding = *at.binding;
-    if (binding.light == no_index) return;
+    if (binding.light == no_index || path.is_unlit) return;
     const std::uint32_t light =
         shared_.lights.number_of(binding.light + (at.point.primitive - binding.first));
     const Color radiance = shared_.lights.emitted(light, at.point, direction);

@@ -43,12 +43,9 @@ struct SurfaceVertex : PathVertex {
     std::uint32_t medium;                    ///< medium through which it came
     const Subsurface* subsurface = nullptr;  ///< subsurface scattering, or null
 
-    /// With subsurface scattering, transmitted directions have the density 0: the path leaves the
-    /// surface elsewhere, so only sampled lights give this light.
+    /// With subsurface scattering, light from below comes from where it entered elsewhere.
     Evaluation evaluate(const Vec3& wi) const {
-        Evaluation e = scattering.evaluate(wi);
-        if (subsurface && scattering.passes(wi)) e.pdf = 0;
-        return e;
+        return subsurface && scattering.passes(wi) ? Evaluation{} : scattering.evaluate(wi);
     }
     std::optional<BsdfSample> sample(float choice, const Vec2& uv) const {
         return scattering.sample(choice, uv);
