@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 
@@ -33,11 +34,37 @@ double machine_bytes(bool with_swap) {
            info.mem_unit;
 }
 
-/// Returns the memory of the control group that the process sees as its own, as in a container.
+double number_in(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    double number = 0;
+    return stream >> number ? number : unlimited;  // "max" is not a number
+}
+
+/// Returns the least limit of a group and of those that contain it.
+double least_limit(const std::filesystem::path& root, std::filesystem::path group,
+                   const char* name) {
+    double least = number_in(root / name);
+    for (group = group.relative_path(); !group.empty(); group = group.parent_path()) {
+        least = std::min(least, number_in(root / group / name));
+    }
+    return least;
+}
+
+/// Returns the memory of the control group of the process, of version 2 or 1. In a container the
+/// group that it sees may have another name than the system gives it.
 double group_bytes() {
-    std::ifstream file("/sys/fs/cgroup/memory.max");
-    double bytes = 0;
-    return file >> bytes ? bytes : unlimited;  // "max" is not a number
+    const std::filesystem::path root = "/sys/fs/cgroup";
+    double least = number_in(root / "memory.max");
+    std::ifstream groups("/proc/self/cgroup");
+    for (std::string line; std::getline(groups, line);) {
+        const std::string group = line.substr(line.rfind(':') + 1);
+        if (line.starts_with("0::")) {
+            least = std::min(least, least_limit(root, group, "memory.max"));
+        } else if (line.find(":memory:") != std::string::npos) {
+            least = std::min(least, least_limit(root / "memory", group, "memory.limit_in_bytes"));
+        }
+    }
+    return least;
 }
 
 /// Returns the bytes that already count for RLIMIT_DATA. Under a sanitizer these are terabytes of

@@ -32,7 +32,10 @@ bool is_device(const std::string& path) {
 bool is_same_file(const std::string& a, const std::string& b) {
     std::error_code none;
     if (fs::equivalent(a, b, none)) return true;
-    return fs::weakly_canonical(link_target(a), none) == fs::weakly_canonical(link_target(b), none);
+    const auto place_of = [&](const std::string& path) {
+        return fs::weakly_canonical(fs::absolute(link_target(path)), none);
+    };
+    return place_of(a) == place_of(b);
 }
 
 /// Returns why a new file cannot be made in the folder; empty if it looks possible.

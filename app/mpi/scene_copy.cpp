@@ -38,7 +38,7 @@ void send_file(Ranks& ranks, const std::string& path) {
     std::vector<char> bytes(piece_size);
     do {
         file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        send_piece(ranks, fs::absolute(path),
+        send_piece(ranks, fs::absolute(path).lexically_normal(),
                    {bytes.data(), static_cast<std::size_t>(file.gcount())});
     } while (file);
 }
@@ -63,7 +63,7 @@ SceneCopy::~SceneCopy() {
 
 std::string SceneCopy::place_of(const std::string& path) const {
     if (path == "-") return root_ / standard_input_name;
-    return root_.string() + fs::path(path).string();
+    return root_.string() + fs::absolute(path).lexically_normal().string();
 }
 
 std::string SceneCopy::receive(Ranks& ranks) {
@@ -104,7 +104,7 @@ void SceneCopy::handle(Ranks& ranks, std::string_view message) {
     send_on(ranks, message);
 }
 
-/// Appends a piece to the copy of its file.
+/// Appends a piece to the copy of its file. Rank 0 sends absolute paths without `..`.
 void SceneCopy::append(std::string_view content) {
     const std::size_t end = content.find('\0');
     const fs::path place = place_of(std::string(content.substr(0, end)));

@@ -15,16 +15,22 @@ void TileWorker::run(const TileTask& task, const nlohmann::ordered_json& identit
     on_all_threads([&] { render_tiles(task); });
 }
 
+/// Goes on after a failure, which rank 0 answers by ending the work.
 void TileWorker::render_tiles(const TileTask& task) {
-    try {
-        while (const std::optional<Tile> tile = next()) {
-            std::string result = render(*tile, task);
-            const std::lock_guard lock(mutex_);
-            results_.emplace_back(tile->first, std::move(result));
+    while (const std::optional<Tile> tile = next()) {
+        std::string result, fault;
+        try {
+            result = render(*tile, task);
+            fault = find_fault_();
+        } catch (const std::exception& e) {
+            fault = e.what();
         }
-    } catch (const std::exception& e) {
         const std::lock_guard lock(mutex_);
-        fail(e.what());
+        if (fault.empty()) {
+            results_.emplace_back(tile->first, std::move(result));
+        } else {
+            fail(fault);
+        }
     }
 }
 

@@ -111,9 +111,11 @@ void CheckpointWriter::report(const std::string& error) {
 std::string CheckpointReader::open(const std::string& path,
                                    const nlohmann::ordered_json& identity) {
     std::error_code error;
+    const bool is_other =
+        std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+    if (is_other) return path + ": is no regular file";
     const std::uint64_t size = std::filesystem::file_size(path, error);
-    if (!error && !std::filesystem::is_regular_file(path)) return path + ": is no regular file";
-    if (!error) file_.open(path, std::ios::binary);
+    file_.open(path, std::ios::binary);
     if (error || !file_) return path + ": cannot be read" + (error ? ": " + error.message() : "");
     const std::string first = read_line(file_), second = read_line(file_);
     if (!first.starts_with(kind)) return path + ": is not a checkpoint, or is damaged";

@@ -27,9 +27,10 @@ KeptState::KeptState(const RenderArguments& a, bool is_shared)
     if (!path_.empty() || is_part() || is_shared) files_.emplace();
 }
 
-void KeptState::identify(const Scene& scene, const RenderSettings& settings) {
+void KeptState::identify(const std::string& path, const Scene& scene,
+                         const RenderSettings& settings) {
     if (!files_) return;
-    identity_ = image_identity(scene_, files_->fingerprint(), scene, settings);
+    identity_ = image_identity(scene_, files_->fingerprint(path), scene, settings);
     scene_files_ = files_->paths();
     files_.reset();
 }

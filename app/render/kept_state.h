@@ -20,8 +20,8 @@ class KeptState {
     /// `is_shared` by several processes always needs an identity.
     KeptState(const RenderArguments& arguments, bool is_shared);
 
-    /// Computes the image's identity after its scene was read completely.
-    void identify(const Scene& scene, const RenderSettings& settings);
+    /// Computes the image's identity after its scene was read completely, from `path`.
+    void identify(const std::string& path, const Scene& scene, const RenderSettings& settings);
 
     /// Prepares for the identified image. Returns why the checkpoint to resume from is unusable,
     /// beginning with its name, or an empty string.

@@ -160,6 +160,7 @@ std::string apply_part(const RenderArguments& a, RenderSettings& settings) {
 
 /// Rejects options that need a checkpoint if there is none.
 std::string check_checkpoint(const RenderArguments& a) {
+    if (a.checkpoint == "-") return "--checkpoint -: expected a file, which is replaced each time";
     if (!a.checkpoint.empty()) return {};
     if (a.resume) return "--resume: expected --checkpoint FILE, from which to go on";
     return a.checkpoint_every > 0 ? "--checkpoint-every: expected --checkpoint FILE to write" : "";

@@ -42,6 +42,7 @@ int RenderRun::run() {
 }
 
 int RenderRun::work() {
+    signals_.emplace();  // the copy of the scene is removed
     limit_threads(a_.threads);
     if (const std::string error = source_.receive(); !error.empty()) {
         return complain(error), exit_unusable;
@@ -51,7 +52,10 @@ int RenderRun::work() {
     if (status == exit_done && !build()) status = exit_unusable;
     if (status != exit_done) return status;
     render_dealt_tiles(scene_.camera, *integrator_, settings_, [&](const TileTask& task) {
-        TileWorker(ranks_).run(task, kept_.identity());
+        const auto find_fault = [&] {
+            return intolerable_problem(a_.scene, integrator_->late_problems());
+        };
+        TileWorker(ranks_, find_fault).run(task, kept_.identity());
     });
     return exit_done;
 }
@@ -139,7 +143,7 @@ bool RenderRun::build() {
     integrator_ =
         find_integrator(settings_.integrator)->make(scene_, *packets_, settings_, problems);
     if (!tolerates(scene_, a_.scene, problems)) return false;
-    kept_.identify(scene_, settings_);
+    kept_.identify(source_.path_read(), scene_, settings_);
     stats_.build = watch_.lap();
     return true;
 }

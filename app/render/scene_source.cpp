@@ -7,8 +7,9 @@ namespace etalon {
 std::string SceneSource::receive() {
     if (!is_sent()) return {};
     std::string error = copy_.receive(ranks_);
-    const bool is_absolute = std::filesystem::path(a_.scene.path).is_absolute();
-    if (is_absolute) a_.scene.path = copy_.place_of(a_.scene.path);
+    for (std::string* const path : {&a_.scene.path, &a_.scene.options.root}) {
+        if (std::filesystem::path(*path).is_absolute()) *path = copy_.place_of(*path);
+    }
     return error;
 }
 
@@ -16,6 +17,11 @@ LoadedScene SceneSource::load() {
     if (!is_sent() || a_.scene.path != "-") return etalon::load(a_.scene);
     standard_input_ = read_file(ranks_.rank() == 0 ? "-" : copy_.place_of("-"));
     return etalon::load(a_.scene, standard_input_.text());
+}
+
+std::string SceneSource::path_read() const {
+    const bool is_copied = is_sent() && ranks_.rank() != 0 && a_.scene.path == "-";
+    return is_copied ? copy_.place_of("-") : a_.scene.path;
 }
 
 void SceneSource::send(const std::set<std::string>& files) {

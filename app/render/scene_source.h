@@ -25,6 +25,9 @@ class SceneSource {
 
     LoadedScene load();
 
+    /// Returns the path by which this rank reads the scene.
+    std::string path_read() const;
+
     /// Sends the files of the loaded scene to the other ranks, if they get it this way.
     void send(const std::set<std::string>& files);
 

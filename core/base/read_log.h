@@ -1,10 +1,12 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <mutex>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/base/hash64.h"
 
@@ -19,13 +21,19 @@ class ReadLog {
     ReadLog(const ReadLog&) = delete;
     ReadLog& operator=(const ReadLog&) = delete;
 
-    /// Returns a hash of the contents, independent of the files' names, of their order, and of how
-    /// often each was read.
-    std::uint64_t fingerprint() const {
+    /// Returns a hash of the contents and the files' names, independent of their folders, their
+    /// order, and how often each was read. The name of the file `main` does not matter.
+    std::uint64_t fingerprint(const std::string& main) const {
         const std::lock_guard lock(mutex_);
+        std::set<std::uint64_t> files;
+        for (const auto& [path, content] : contents_) {
+            const std::string name =
+                path == main ? std::string() : std::filesystem::path(path).filename().string();
+            files.insert(hash64(name + '\0' + std::to_string(content)));
+        }
         Hash64 hash;
-        for (const std::uint64_t content : contents_) {
-            hash.add({reinterpret_cast<const char*>(&content), sizeof content});
+        for (const std::uint64_t file : files) {
+            hash.add({reinterpret_cast<const char*>(&file), sizeof file});
         }
         return hash.value();
     }
@@ -33,7 +41,9 @@ class ReadLog {
     /// Returns the paths by which files were read.
     std::set<std::string> paths() const {
         const std::lock_guard lock(mutex_);
-        return paths_;
+        std::set<std::string> paths;
+        for (const auto& [path, content] : contents_) paths.insert(path);
+        return paths;
     }
 
     /// Returns whether there is a log.
@@ -47,16 +57,14 @@ class ReadLog {
         ReadLog* const log = current_;
         if (!log) return;
         const std::lock_guard lock(log->mutex_);
-        log->contents_.insert(content);
-        log->paths_.insert(path);
+        log->contents_.emplace(path, content);
     }
 
   private:
     inline static std::atomic<ReadLog*> current_ = nullptr;
 
     mutable std::mutex mutex_;
-    std::set<std::uint64_t> contents_;
-    std::set<std::string> paths_;
+    std::set<std::pair<std::string, std::uint64_t>> contents_;  ///< paths with their hashes
 };
 
 }  // namespace etalon

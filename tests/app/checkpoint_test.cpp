@@ -216,6 +216,29 @@ TEST_CASE("A damaged checkpoint is refused", "[app]") {
     refused(whole + "x");
 }
 
+TEST_CASE("A resumed rendering that ends at once has the error of what it resumes", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    REQUIRE(f.etalon("render ball.p3f --spp 4 -q -o b.exr").status == 0);
+    const std::string command =
+        "render ball.p3f --spp 100000 -t 1 -o a.exr --checkpoint state --reference b.exr ";
+    REQUIRE(f.etalon(command + "--time-limit 0.3 -q").status == 0);
+    const auto r = f.etalon(command + "--time-limit 1e-9 --resume --stats s.json");
+    CHECK(r.status == 0);
+    CHECK_THAT(r.err, ContainsSubstring(" from b.exr"));
+    CHECK(nlohmann::json::parse(f.read("s.json"))["convergence"].size() == 1);
+}
+
+TEST_CASE("A checkpoint is no pipe", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    f.shell("mkfifo pipe");
+    const auto r = f.etalon("render ball.p3f -o a.exr --checkpoint pipe --resume");
+    CHECK(r.status == 3);
+    CHECK_THAT(r.err, ContainsSubstring("pipe: is no regular file"));
+    CHECK(f.etalon("render ball.p3f -o a.exr --checkpoint -").status == 2);
+}
+
 TEST_CASE("The options of checkpoints need one, and to resume none is to begin anew", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

@@ -169,6 +169,20 @@ TEST_CASE("compare of a crop with the whole image, or another crop, compares the
     CHECK(f.etalon("compare crop.exr large.exr").status == 3);
 }
 
+TEST_CASE("compare says in JSON which pixels it has compared", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    REQUIRE(f.etalon("render ball.p3f -q -o whole.exr").status == 0);
+    REQUIRE(f.etalon("render ball.p3f -q --crop 4,2,20,12 -o crop.exr").status == 0);
+    const auto window = [&](const std::string& images) {
+        const auto r = f.etalon("compare " + images + " --json -");
+        REQUIRE(r.status == 0);
+        return nlohmann::json::parse(r.out).value("window", nlohmann::json());
+    };
+    CHECK(window("crop.exr whole.exr") == nlohmann::json{4, 2, 20, 12});
+    CHECK(window("whole.exr whole.exr").is_null());
+}
+
 TEST_CASE("compare reports why it cannot read a file", "[app]") {
     const Folder f;
     write(f, "a.exr", 40, stripes(40, 30));

@@ -9,6 +9,18 @@ using namespace etalon::test;
 
 using nlohmann::json;
 
+TEST_CASE("A signal while the scene is read ends the program", "[app]") {
+    const Folder f;
+    f.shell("mkfifo pipe.p3f");
+    for (const std::string command : {"render pipe.p3f -o a.exr", "crosscheck pipe.p3f"}) {
+        const auto r =
+            f.shell("timeout -k 9 -s TERM 0.5 '" ETALON_BINARY_DIR "/bin/etalon' " + command);
+        INFO(command);
+        CHECK(r.status == 124);  // and not 137, after SIGKILL
+        CHECK_FALSE(f.has("a.exr"));
+    }
+}
+
 TEST_CASE("An interrupted crosscheck keeps the oracle's results", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

@@ -179,6 +179,48 @@ TEST_CASE("Files that are not parts of one image are an error", "[app]") {
     CHECK(merge(f, {"a.exr"}, "m.png").status == 2);
 }
 
+TEST_CASE("A merged image of parts that were stopped says so", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::string command = "render ball.p3f --spp 1000000 -q -t 1 --part ";
+    REQUIRE(f.etalon(command + "1/2 --time-limit 0.2 -o a.exr").status == 0);
+    REQUIRE(f.etalon(command + "2/2 --time-limit 0.2 -o b.exr").status == 0);
+    const auto r = merge(f, {"a.exr", "b.exr"}, "m.exr");
+    CHECK(r.status == 0);
+    for (const char* part : {"a.exr", "b.exr"}) {
+        CHECK_THAT(r.err, ContainsSubstring(std::string(part) + ": warning: its rendering was "
+                                                                "stopped (time-limit)"));
+    }
+    CHECK_THAT(f.read("m.exr"), ContainsSubstring("time-limit"));
+}
+
+TEST_CASE("Files that have changed places are another scene", "[app]") {
+    const Folder f;
+    const auto ball = [](const std::string& texture, int place) {
+        return "Texture \"" + texture + "\" \"spectrum\" \"imagemap\" \"string filename\" \"" +
+               texture + ".png\" Material \"matte\" \"texture Kd\" \"" + texture + "\" Translate " +
+               std::to_string(place) + " 0 0 Shape \"sphere\"\n";
+    };
+    f.write("s.pbrt",
+            "LookAt 0 0 9 0 0 0 0 1 0 Camera \"perspective\" Film \"image\" \"integer "
+            "xresolution\" 8 \"integer yresolution\" 8 WorldBegin LightSource "
+            "\"infinite\"\n" +
+                ball("a", -1) + ball("b", 2) + "WorldEnd\n");
+    f.write("ball.p3f", small_scene);
+    REQUIRE(f.etalon("render ball.p3f -q -o a.png --resolution 4x4").status == 0);
+    REQUIRE(f.etalon("render ball.p3f -q -o b.png --resolution 8x8").status == 0);
+    const std::string command = "render s.pbrt -q --spp 4 ";
+    REQUIRE(f.etalon(command + "--part 1/2 -o 1.exr").status == 0);
+    f.shell("mkdir there; cp a.png b.png there; cp s.pbrt there/t.pbrt");
+    REQUIRE(f.etalon("render there/t.pbrt -q --spp 4 --part 2/2 -o 2.exr").status == 0);
+    merge_well(f, {"1.exr", "2.exr"}, "m.exr");
+    f.shell("mv a.png c.png; mv b.png a.png; mv c.png b.png");
+    REQUIRE(f.etalon(command + "--part 2/2 -o 2.exr").status == 0);
+    const auto r = merge(f, {"1.exr", "2.exr"}, "m.exr");
+    CHECK(r.status == 3);
+    CHECK_THAT(r.err, ContainsSubstring("is not of the same image as 1.exr: scene is"));
+}
+
 TEST_CASE("--part needs a valid share, and an image whose samples are known before", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

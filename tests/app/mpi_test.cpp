@@ -137,6 +137,31 @@ TEST_CASE("A scene that rank 0 sends need not be where the others are", "[app][n
     }
 }
 
+TEST_CASE("The copy of a scene stays in its folder, and --root moves with it",
+          "[app][needs_mpirun]") {
+    const Folder f;
+    SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
+    const std::string included = "LightSource \"infinite\"\n";
+    f.write("inc.pbrt", included);
+    f.shell("mkdir in; cp inc.pbrt in");
+    const auto render_including = [&](const std::string& path, const std::string& options) {
+        f.write("in/s.pbrt", "WorldBegin Include \"" + path + "\" Shape \"sphere\" WorldEnd\n");
+        return f.shell("cd in && " + mpirun(3) +
+                       "'" ETALON_BINARY_DIR
+                       "/bin/etalon' render s.pbrt -q --resolution 8x8 -o a.exr "
+                       "--mpi-scene broadcast " +
+                       options);
+    };
+    std::string up;
+    for (int i = 0; i < 20; ++i) up += "../";
+    render_including(up + f.path("inc.pbrt").substr(1), "");
+    CHECK(f.read("inc.pbrt") == included);
+    CHECK(render_including("inc.pbrt", "--root $PWD").status == 0);
+    CHECK(render_including("../inc.pbrt", "").status == 0);
+    CHECK(render_including("../inc.pbrt", "--root $PWD").status == 3);
+    CHECK(f.read("inc.pbrt") == included);
+}
+
 TEST_CASE("When a rank is killed, the rendering can be resumed", "[app][needs_mpirun]") {
     const Folder f;
     SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");

@@ -1,0 +1,59 @@
+// Files that no combination of options may lose, and outputs that cannot be written.
+#include "tests/app/run_program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+TEST_CASE("An output that is an input is refused, and the input stays", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    f.write("rays", "0 0 5 0 0 -1 0 inf\n");
+    REQUIRE(f.etalon("render ball.p3f -q -o a.exr -o a.png").status == 0);
+    const std::string image = f.read("a.exr"), png = f.read("a.png"), rays = f.read("rays");
+    f.shell("ln -s ball.p3f link; cp ball.p3f ball.exr");
+    for (const char* command :
+         {"render ball.p3f -o b.exr --stats ball.p3f", "render ball.p3f -o b.exr --stats ./link",
+          "render ball.p3f -o b.exr --checkpoint ball.p3f", "render ball.exr",
+          "render ball.p3f -o a.exr --reference a.exr", "trace ball.p3f --rays rays -o ball.p3f",
+          "trace ball.p3f --rays rays -o rays", "crosscheck ball.p3f --rays 9 --json ball.p3f",
+          "compare a.exr a.png --json a.exr", "compare a.exr a.png --heatmap a.png",
+          "convert ball.p3f -o ../$(basename $PWD)/ball.p3f"}) {
+        const auto r = f.etalon(command);
+        INFO(command);
+        CHECK(r.status == 2);
+        CHECK_THAT(r.err, ContainsSubstring("is an input, which would be lost"));
+    }
+    CHECK(f.read("ball.p3f") == small_scene);
+    CHECK(f.read("ball.exr") == small_scene);
+    CHECK(f.read("a.exr") == image);
+    CHECK(f.read("a.png") == png);
+    CHECK(f.read("rays") == rays);
+}
+
+TEST_CASE("A file for two outputs is refused", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    for (const char* outputs : {"-o a.exr --stats a.exr", "-o a.exr -o ./a.exr",
+                                "-o a.exr --checkpoint a.exr", "--stats s --checkpoint ./s"}) {
+        const auto r = f.etalon(std::string("render ball.p3f ") + outputs);
+        INFO(outputs);
+        CHECK(r.status == 2);
+        CHECK_THAT(r.err, ContainsSubstring("is given for two outputs"));
+        CHECK_FALSE(f.has("a.exr"));
+    }
+    CHECK(f.etalon("render ball.p3f -q -o a.exr --stats /dev/null --checkpoint c").status == 0);
+}
+
+TEST_CASE("What cannot be written is said before the rendering", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    f.shell("ln -s nowhere/a.exr link.exr; mkdir there; ln -s there/a.exr good.exr");
+    const std::string long_name = std::string(300, 'a') + ".exr";
+    for (const std::string& name : {std::string("link.exr"), long_name}) {
+        const auto r = f.etalon("render ball.p3f --time-limit 60 -o " + name);
+        CHECK(r.status == 4);
+        CHECK_THAT(r.err, ContainsSubstring("cannot be written"));
+    }
+    CHECK(f.etalon("render ball.p3f -q -o good.exr").status == 0);
+    CHECK(f.has("there/a.exr"));
+}

@@ -1,0 +1,50 @@
+#include "core/image/file_replacement.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <fstream>
+
+#include "core/base/hash64.h"
+#include "tests/catch.h"
+#include "tests/temporary_folder.h"
+
+using namespace etalon;
+using namespace etalon::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string content(const std::string& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string replace(const std::string& path, std::string_view by) {
+    FileReplacement file(path);
+    file.write(by);
+    return file.put_in_place();
+}
+
+}  // namespace
+
+TEST_CASE("A file that is replaced keeps its permissions", "[file]") {
+    const TemporaryFolder folder;
+    const std::string path = folder / "state";
+    REQUIRE(replace(path, "old").empty());
+    fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
+    CHECK(replace(path, "new").empty());
+    CHECK(content(path) == "new");
+    CHECK(fs::status(path).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+TEST_CASE("A link where the temporary file would be is not followed", "[file]") {
+    const TemporaryFolder folder;
+    const std::string path = folder / "state", precious = folder / "precious";
+    std::ofstream(precious) << "precious";
+    fs::create_symlink(precious, folder / fmt::format(".etalon-{:016x}.tmp", hash64("state")));
+    const std::string error = replace(path, "new");
+    CHECK_THAT(error, Catch::Matchers::StartsWith(path + ": cannot be written"));
+    CHECK(content(precious) == "precious");
+    CHECK_FALSE(fs::exists(path));
+}
