@@ -14,7 +14,9 @@ using namespace std::chrono_literals;
 
 /// Longest interval between requests of an open page; in the background it asks once a second.
 constexpr double silence = 1.5;
-constexpr auto patience = 5s;
+
+/// Longest time that open pages are given for the last image. The server takes up to a second more.
+constexpr auto patience = 4s;
 
 template <class T>
 std::vector<double> doubles(const std::vector<T>& values) {
@@ -46,7 +48,6 @@ std::map<std::string, Resource> LivePage::resources() {
 
 Resource LivePage::picture(Picture& picture, std::function<std::string()> make) const {
     return {"image/png", [this, &picture, make = std::move(make)] {
-                const std::lock_guard lock(picture.mutex);
                 const std::uint64_t version = image_.version();
                 if (picture.png.empty() || picture.version != version) picture.png = make();
                 picture.version = version;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <mutex>
 #include <string>
 
 #include "app/live/live_image.h"
@@ -25,13 +24,12 @@ class LivePage {
     std::vector<RenderObserver> observers() { return {image_.observer(), state_.observer()}; }
     void set_stage(ViewState::Stage stage) { state_.set_stage(stage); }
 
-    /// Waits until all open pages have shown the current image; a few seconds at most.
+    /// Waits until all open pages have shown the current image; four seconds at most.
     void wait_for_pages() const;
 
   private:
     /// A PNG that is encoded again when the image has changed.
     struct Picture {
-        std::mutex mutex;
         std::uint64_t version = 0;
         std::string png;
     };

@@ -6,8 +6,6 @@
 #include <array>
 #include <limits>
 
-#include "core/base/module_symbol.h"
-
 namespace etalon {
 namespace {
 
@@ -32,33 +30,17 @@ bool is_same(std::string_view a, std::string_view b) {
 }  // namespace
 
 PageServer::PageServer(std::map<std::string, Resource> resources)
-    : resources_(std::move(resources)), token_(random_token()) {}
-
-PageServer::~PageServer() {
-    if (server_) module_->stop(server_);
-}
+    : resources_(std::move(resources)),
+      token_(random_token()),
+      server_([this](const HttpRequest& request) { return answer(request); }) {}
 
 std::string PageServer::start() {
     if (token_.empty()) return "the system has no random numbers";
-    const Result<void*> symbol = module_symbol("etalon_http.so", "etalon_http");
-    if (!symbol) return "the HTTP module cannot be loaded: " + symbol.error;
-    module_ = reinterpret_cast<EtalonHttpEntry>(symbol.value)();
-    if (module_->version != etalon_http_version) {
-        return "etalon_http.so belongs to another version of the program";
-    }
-    const EtalonHttpHandler handler = {
-        this, [](void* self, const EtalonHttpRequest* request, const EtalonHttpReply* reply) {
-            const Answer a = static_cast<PageServer*>(self)->answer(request->method, request->host,
-                                                                    request->path);
-            reply->send(reply->context, a.status, a.type.c_str(), a.body.data(), a.body.size());
-        }};
-    const std::lock_guard lock(mutex_);  // no answer before the port is known
-    server_ = module_->start(&handler, &port_);
-    return server_ ? "" : "no port of 127.0.0.1 can be listened at";
+    return server_.start();
 }
 
 std::string PageServer::address() const {
-    return fmt::format("http://127.0.0.1:{}/{}/", port_, token_);
+    return fmt::format("http://127.0.0.1:{}/{}/", server_.port(), token_);
 }
 
 double PageServer::idle_seconds() const {
@@ -68,35 +50,35 @@ double PageServer::idle_seconds() const {
 }
 
 bool PageServer::is_own_name(const std::string& host) const {
-    const std::lock_guard lock(mutex_);
-    return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);
+    const int port = server_.port();
+    return host == fmt::format("127.0.0.1:{}", port) || host == fmt::format("localhost:{}", port);
 }
 
-PageServer::Answer PageServer::answer(const std::string& method, const std::string& host,
-                                      const std::string& path) {
-    const std::string text = "text/plain; charset=utf-8";
-    if (!is_own_name(host)) return {403, text, "This page is for this machine alone.\n"};
+HttpAnswer PageServer::answer(const HttpRequest& request) {
+    const std::string& path = request.path;
+    if (!is_own_name(request.host)) {
+        return text_answer(403, "This page is for this machine alone.\n");
+    }
     const std::size_t slash = path.find('/', 1);
     if (slash == std::string::npos || !is_same(path.substr(1, slash - 1), token_)) {
-        return {404, text, "There is nothing here.\n"};
+        return text_answer(404, "There is nothing here.\n");
     }
     try {
-        Answer result = answer(method, path.substr(slash + 1));
+        HttpAnswer result = answer(request.method, path.substr(slash + 1));
         const std::lock_guard lock(mutex_);
         last_ = std::chrono::steady_clock::now();
         was_asked_ = true;
         return result;
     } catch (const std::exception& error) {
-        return {500, text, error.what()};
+        return text_answer(500, error.what());
     }
 }
 
-PageServer::Answer PageServer::answer(const std::string& method, const std::string& name) {
-    const std::string text = "text/plain; charset=utf-8";
+HttpAnswer PageServer::answer(const std::string& method, const std::string& name) {
     const auto found = resources_.find(name);
-    if (found == resources_.end()) return {404, text, "There is nothing here.\n"};
+    if (found == resources_.end()) return text_answer(404, "There is nothing here.\n");
     const Resource& resource = found->second;
-    if (method != resource.method) return {405, text, "Ask by " + resource.method + ".\n"};
+    if (method != resource.method) return text_answer(405, "Ask by " + resource.method + ".\n");
     return {200, resource.type, resource.body()};
 }
 

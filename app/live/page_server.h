@@ -6,14 +6,14 @@
 #include <mutex>
 #include <string>
 
-#include "app/live/http_abi.h"
+#include "app/live/http_server.h"
 
 namespace etalon {
 
 /// A resource of a page: the page itself or something on it.
 struct Resource {
     std::string type;                   ///< as in Content-Type
-    std::function<std::string()> body;  ///< called from several threads
+    std::function<std::string()> body;  ///< called from the server's thread
     std::string method = "GET";
 };
 
@@ -24,9 +24,6 @@ class PageServer {
   public:
     /// `resources` are by name; "" is the page.
     explicit PageServer(std::map<std::string, Resource> resources);
-    ~PageServer();
-    PageServer(const PageServer&) = delete;
-    PageServer& operator=(const PageServer&) = delete;
 
     /// Starts to serve. Returns why that failed, or an empty string.
     std::string start();
@@ -38,23 +35,16 @@ class PageServer {
     double idle_seconds() const;
 
   private:
-    struct Answer {
-        int status;
-        std::string type, body;
-    };
-
-    Answer answer(const std::string& method, const std::string& host, const std::string& path);
-    Answer answer(const std::string& method, const std::string& name);
+    HttpAnswer answer(const HttpRequest& request);
+    HttpAnswer answer(const std::string& method, const std::string& name);
     bool is_own_name(const std::string& host) const;
 
     std::map<std::string, Resource> resources_;
     std::string token_;
-    int port_ = 0;
-    const EtalonHttp* module_ = nullptr;
-    void* server_ = nullptr;
     mutable std::mutex mutex_;
     std::chrono::steady_clock::time_point last_;
     bool was_asked_ = false;
+    HttpServer server_;  ///< declared last, so that it ends first
 };
 
 }  // namespace etalon

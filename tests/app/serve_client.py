@@ -1,10 +1,14 @@
 # What `etalon serve` answers, and to whom. Called with the program, in a folder with ball.p3f.
 import http.client
+import os
 import re
+import select
 import socket
 import struct
 import subprocess
 import sys
+import threading
+import time
 
 from served import PATIENCE, Served, until
 
@@ -61,11 +65,13 @@ def check_refusals(served):
         assert served.ask("stop", method="POST", host=host)[0] == 403
     assert served.ask(host="localhost:%d" % served.port)[0] == 200
     assert served.ask("stop")[0] == 405 and served.ask(method="POST")[0] == 405
+    status, headers, body = served.ask(method="HEAD")
+    assert status == 405 and int(headers["Content-Length"]) > 0 and body == b""
     assert not served.has_ended()
 
 
 def check_malformed(served):
-    for text in (b"\0\0\0\0\r\n\r\n", b"GET\r\n\r\n", b"GET / HTTP/9.9\r\n\r\n", b"GET " + b"a" * 100000 + b"\r\n\r\n",
+    for text in (b"\0\0\0\0\r\n\r\n", b"GET / HTTP/1.1\r\n\r\n", b"GET\r\n\r\n", b"GET / HTTP/9.9\r\n\r\n", b"GET " + b"a" * 100000 + b"\r\n\r\n",
                  b"POST " + served.path.encode() + b"stop HTTP/1.1\r\nContent-Length: 99999999999\r\n\r\n", b""):
         with socket.create_connection(("127.0.0.1", served.port), PATIENCE) as connection:
             connection.sendall(text)
@@ -76,6 +82,55 @@ def check_malformed(served):
                 answer = b""
             assert not answer.startswith(b"HTTP/1.1 200"), text[:40]
     assert served.ask()[0] == 200
+
+
+def check_endless(served):
+    """A head without an end is refused, and what follows takes no memory."""
+    before = served.memory()
+    with served.connection() as connection:
+        connection.sendall(b"GET / HTTP/1.1\r\n" + b"A: b\r\n" * 10000)
+        assert connection.recv(100).startswith(b"HTTP/1.1 431 ")
+
+        def is_closed():
+            try:
+                connection.sendall(b"A: b\r\n" * 10000)
+            except ConnectionError:
+                return True
+
+        until(is_closed)
+    assert served.memory() < before + 30e6, (before, served.memory())
+
+
+def check_slow(served):
+    """The time for a request is limited, whatever arrives meanwhile."""
+    start = time.monotonic()
+    with served.connection() as connection:
+        drip(served, connection)
+        assert connection.recv(100).startswith(b"HTTP/1.1 408 ")
+    assert 1.9 < time.monotonic() - start < 10
+
+
+def drip(served, connection):
+    """Sends a byte at a time until there is an answer or an end."""
+    for byte in b"GET " + served.path.encode() + b" HTTP/1.1\r\n" + b"A: b\r\n" * 1000:
+        connection.sendall(bytes([byte]))
+        if select.select([connection], [], [], 0.2)[0]:
+            return
+
+
+def check_idle(served):
+    """Connections without a request delay no others, and end."""
+    idle = [served.connection() for _ in range(100)]
+    start = time.monotonic()
+    for _ in range(10):
+        assert served.ask()[0] == 200
+    assert time.monotonic() - start < 5
+    for connection in idle:
+        try:
+            assert connection.recv(100) == b""
+        except ConnectionResetError:
+            pass
+        connection.close()
 
 
 def check_place(served):
@@ -93,7 +148,8 @@ def check_stop(served):
 
 
 with Served(PROGRAM, *ENDLESS) as served:
-    for check in (check_page, check_pictures, check_state, check_refusals, check_malformed, check_place, check_stop):
+    for check in (check_page, check_pictures, check_state, check_refusals, check_malformed, check_endless, check_slow, check_idle,
+                  check_place, check_stop):
         check(served)
 
 # A page that is open has the finished image before the program ends.
@@ -106,6 +162,30 @@ with Served(PROGRAM, "ball.p3f", "-q", "--spp", "4", "-o", "b.exr", "-o", "b.png
     assert served.end() == 0
 subprocess.run([PROGRAM, "compare", "shown.png", "b.png", "--fail-above", "different_pixels=0"], check=True,
                stdout=subprocess.DEVNULL)
+
+# Clients that are slow, never read or ask again and again do not keep the program from ending.
+with Served(PROGRAM, "ball.p3f", "-q", "--spp", "4", "-o", "c.exr") as served:
+    def bother(client):
+        try:
+            while True:
+                client()
+        except OSError:  # the program has ended
+            pass
+
+    def ask_slowly():
+        with served.connection() as connection:
+            drip(served, connection)
+
+    clients = [threading.Thread(target=bother, args=(client,))
+               for client in (served.ask, ask_slowly, ask_slowly)]
+    for client in clients:
+        client.start()
+    until(lambda: os.path.exists("c.exr"))
+    start = time.monotonic()
+    assert served.end() == 0
+    assert time.monotonic() - start < 5 + 2  # seconds for a busy machine
+    for client in clients:
+        client.join()
 
 # Two programs at a time have their own ports and tokens.
 with Served(PROGRAM, *ENDLESS) as one, Served(PROGRAM, *ENDLESS) as other:

@@ -3,6 +3,7 @@
 
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
+#include "tests/sanitized.h"
 
 using namespace etalon::test;
 
@@ -54,7 +55,7 @@ TEST_CASE("serve without clients ends with the image that render writes", "[app]
     CHECK_THAT(f.read("a.json"), ContainsSubstring("\"expected_error\": {\n    \"relmse\": null"));
 }
 
-TEST_CASE("serve rejects standard output for files, and reports what is missing", "[app]") {
+TEST_CASE("serve rejects standard output for files", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     for (const std::string output : {"-o -", "-o a.exr --stats -"}) {
@@ -62,16 +63,18 @@ TEST_CASE("serve rejects standard output for files, and reports what is missing"
         CHECK(r.status == 2);
         CHECK_THAT(r.err, ContainsSubstring("standard output has the address of the page"));
     }
-    const auto r = f.shell("ETALON_MODULE_PATH=. " ETALON_BINARY_DIR "/bin/etalon serve ball.p3f");
-    CHECK(r.status == 3);
-    CHECK_THAT(r.err,
-               ContainsSubstring("the page cannot be shown: the HTTP module cannot be loaded"));
 }
 
-TEST_CASE("only serve loads the HTTP library", "[app]") {
+TEST_CASE("serve ends with an image or a message when memory is short", "[app]") {
+    if (is_sanitized) return;  // takes more than the limits at once
     const Folder f;
     f.write("ball.p3f", small_scene);
-    const std::string debug = "LD_DEBUG=files " ETALON_BINARY_DIR "/bin/etalon ";
-    CHECK_THAT(f.shell(debug + "serve ball.p3f").err, ContainsSubstring("libcpp-httplib"));
-    CHECK_THAT(f.shell(debug + "render ball.p3f").err, !ContainsSubstring("libcpp-httplib"));
+    for (const int megabytes : {1, 5, 10, 15, 20, 30, 40, 60, 80, 120}) {
+        const auto r =
+            f.etalon("serve ball.p3f -q --resolution 64x64 --spp 4 -o a.exr --max-memory " +
+                     std::to_string(megabytes) + "M");
+        CAPTURE(megabytes, r.status, r.err);
+        CHECK((r.status == 0 || r.status == 3 || r.status == 4));
+        if (r.status != 0) CHECK_THAT(r.err, ContainsSubstring("error: "));
+    }
 }

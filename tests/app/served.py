@@ -3,6 +3,7 @@ import http.client
 import json
 import os
 import signal
+import socket
 import subprocess
 import time
 from urllib.parse import urlsplit
@@ -41,6 +42,14 @@ class Served:
         result = reply.status, reply.headers, reply.read()
         connection.close()
         return result
+
+    def connection(self):
+        return socket.create_connection(("127.0.0.1", self.port), PATIENCE)
+
+    def memory(self):
+        """Returns the bytes that the program has in memory."""
+        with open("/proc/%d/statm" % self.process.pid) as file:
+            return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
     def state(self):
         return json.loads(self.ask("state.json")[2])

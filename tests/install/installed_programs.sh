@@ -15,7 +15,6 @@ check_render() {
     grep -q '^env faces' scene.p3f || fail "scenes/features/skybox.p3f: no line env to replace"
     etalon render scene.p3f -q --strict --spp 0 --resolution 8x6 -o image.png || fail "render failed"
     [[ -s image.png ]] || fail "no image"
-    # So must the module that serves a page.
     etalon serve scene.p3f -q --spp 0 --resolution 8x6 -o served.png | grep -q '^http://127' ||
         fail "serve shows no page"
     etalon-scenes tetra --size 1 -o tetra.p3f
