@@ -26,6 +26,13 @@ Task rendering(const std::string& scene, const std::string& options) {
                         scene, options)};
 }
 
+/// The same with a page.
+Task serving(const std::string& scene, const std::string& options) {
+    Task task = rendering(scene, options);
+    task.command.replace(0, std::string("render").size(), "serve");
+    return task;
+}
+
 const std::vector<Task> renderings = {
     rendering("features/glass.p3f", "-b bvh -t 1"),
     rendering("features/meshes.p3f", "-b embree -t 1"),
@@ -120,7 +127,9 @@ TEST_CASE("A thread that cannot be started is reported, or changes nothing",
           "[faults][needs_preload]") {
     SKIP_UNLESS(!is_sanitized, no_preload);
     const Folder f;
-    for (Task task : renderings) {
+    std::vector<Task> tasks = renderings;
+    tasks.push_back(serving("features/glass.p3f", "-t 4"));
+    for (Task task : tasks) {
         task.command.back() = '4';
         const Whole whole(f, task, "thread");
         for (long at = 1; at <= 4; ++at) check(f, task, "thread", at, whole);
