@@ -9,7 +9,6 @@ namespace {
 /// Stores each leaf's number in its `first`, and returns the primitives of each leaf.
 std::vector<Range> number_leaves(BvhTree& tree) {
     std::vector<Range> ranges;
-    ranges.reserve(tree.nodes.size() / 2);
     for (BvhNode& node : tree.nodes) {
         if (!node.is_leaf()) continue;
         ranges.push_back({node.first, node.count});

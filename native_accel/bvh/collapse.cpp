@@ -44,23 +44,23 @@ Collapse::Plan Collapse::plan(const BvhNode& inner) const {
         for (std::size_t first = 1; first < count; ++first) {
             const std::size_t second = count - first;
             if (first >= node_width || second >= node_width) continue;
-            const float sum = left.cost(first) + right.cost(second);
+            const float sum = left.cost[first] + right.cost[second];
             if (sum >= cost[count]) continue;
             cost[count] = sum;
-            plan.first(count) = static_cast<std::uint8_t>(first);
+            plan.first[count] = static_cast<std::uint8_t>(first);
         }
     }
-    plan.cost(1) = half_area(inner.box) + cost[node_width];
+    plan.cost[1] = half_area(inner.box) + cost[node_width];
     for (std::size_t count = 2; count < node_width; ++count) {
-        const bool pays = cost[count] < plan.cost(count - 1);
-        plan.cost(count) = pays ? cost[count] : plan.cost(count - 1);
-        if (!pays) plan.first(count) = 0;
+        const bool pays = cost[count] < plan.cost[count - 1];
+        plan.cost[count] = pays ? cost[count] : plan.cost[count - 1];
+        if (!pays) plan.first[count] = 0;
     }
     return plan;
 }
 
 Branches Collapse::children(const Branch& branch) const {
-    const std::size_t first = plan_of(*branch.node).first(node_width);
+    const std::size_t first = plan_of(*branch.node).first[node_width];
     const auto [left, right] = halves(branch);
     Branches list;
     gather(left, first, list);
@@ -70,11 +70,11 @@ Branches Collapse::children(const Branch& branch) const {
 
 void Collapse::gather(const Branch& branch, std::size_t count, Branches& list) const {
     const Plan& plan = plan_or_none(*branch.node);
-    while (count > 1 && plan.first(count) == 0) --count;
+    while (count > 1 && plan.first[count] == 0) --count;
     if (count == 1) return list.push_back(branch);
     const auto [left, right] = halves(branch);
-    gather(left, plan.first(count), list);
-    gather(right, count - plan.first(count), list);
+    gather(left, plan.first[count], list);
+    gather(right, count - plan.first[count], list);
 }
 
 }  // namespace etalon

@@ -44,7 +44,7 @@ class Collapse {
     Branch root() const { return {nodes_.data(), nodes_.size()}; }
 
     /// Returns half the surface area of all inner nodes that remain.
-    float surface() const { return plan_or_none(nodes_.front()).cost(1); }
+    float surface() const { return plan_or_none(nodes_.front()).cost[1]; }
 
     /// Returns the descendants that become the children of an inner node.
     Branches children(const Branch& branch) const;
@@ -53,13 +53,8 @@ class Collapse {
     /// Least cost of replacing a node by at most n nodes, and how many of these are below its first
     /// child; 0 if n - 1 nodes are as good.
     struct Plan {
-        float& cost(std::size_t n) { return costs[n - 1]; }
-        float cost(std::size_t n) const { return costs[n - 1]; }
-        std::uint8_t& first(std::size_t n) { return firsts[n - 2]; }
-        std::uint8_t first(std::size_t n) const { return firsts[n - 2]; }
-
-        std::array<float, node_width - 1> costs;          ///< by number of nodes, from 1
-        std::array<std::uint8_t, node_width - 1> firsts;  ///< by number of nodes, from 2
+        std::array<float, node_width> cost;  ///< by number of nodes, from 1
+        std::array<std::uint8_t, node_width + 1> first;
     };
 
     static constexpr Plan no_plan{};  ///< of a leaf

@@ -4,7 +4,7 @@ namespace etalon {
 
 std::vector<BvhNode> SubtreeBuilder::build(const PrimitiveSet& set, std::size_t first, int depth) {
     next_id_ = first;
-    nodes_.reserve(2 * set.size());  // the most there can be; what is not used is not touched
+    nodes_.reserve(2 + set.size() / 2);
     nodes_.resize(2);
     build_node(0, set, depth);
     return std::move(nodes_);
