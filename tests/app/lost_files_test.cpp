@@ -30,6 +30,17 @@ TEST_CASE("An output that is an input is refused, and the input stays", "[app]")
     CHECK(f.read("rays") == rays);
 }
 
+TEST_CASE("A converted scene does not replace what it includes", "[app]") {
+    const Folder f;
+    f.write("ball.pbrt", "Shape \"sphere\"\n");
+    f.write("scene.pbrt", "WorldBegin Include \"ball.pbrt\" WorldEnd\n");
+    const auto r = f.etalon("convert scene.pbrt -o ./ball.pbrt");
+    CHECK(r.status == 2);
+    CHECK_THAT(r.err, ContainsSubstring("is an input, which would be lost"));
+    CHECK(f.read("ball.pbrt") == "Shape \"sphere\"\n");
+    CHECK(f.etalon("convert scene.pbrt -o again.pbrt").status == 0);
+}
+
 TEST_CASE("A file for two outputs is refused", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
