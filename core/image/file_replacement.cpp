@@ -56,19 +56,30 @@ int FileReplacement::check_target() {
     return 0;
 }
 
-/// Opens a file of this user; whoever else can write to the folder may have put another, or a link,
-/// where it is known to be.
+/// Opens a new file, or one that this user has left; whoever else can write to the folder may have
+/// put another, or a link, where it is known to be. (On network disks a new file may be another
+/// user's.)
 void FileReplacement::open() {
-    file_ = open_file(temporary_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW);
+    file_ = open_file(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL);
+    const bool is_new = file_ >= 0;
+    if (!is_new && errno == EEXIST) {
+        file_ = open_file(temporary_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW);
+    }
     if (file_ < 0) {
         error_ = errno;
-    } else if (error_ = !is_own() ? EPERM : lock() ? 0 : EBUSY; error_ != 0) {
+    } else if (error_ = claim(is_new); error_ != 0) {
         close_file(file_);
         file_ = -1;
     } else if (uninterrupted([&] { return ::ftruncate(file_, 0); }) != 0 ||
                (mode_ && ::fchmod(file_, *mode_) != 0)) {
         error_ = errno;
     }
+}
+
+/// Returns why the opened file cannot be used, or 0.
+int FileReplacement::claim(bool is_new) const {
+    if (!is_new && !is_own()) return EPERM;
+    return lock() ? 0 : EBUSY;
 }
 
 bool FileReplacement::is_own() const {
@@ -78,7 +89,7 @@ bool FileReplacement::is_own() const {
 
 /// Locks the file for this process; returns false if another one is writing it, or has just
 /// replaced it. File systems without locks are trusted.
-bool FileReplacement::lock() {
+bool FileReplacement::lock() const {
     if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
     struct stat opened = {}, named = {};
     return ::fstat(file_, &opened) == 0 && ::lstat(temporary_.c_str(), &named) == 0 &&

@@ -29,8 +29,9 @@ class FileReplacement {
   private:
     int check_target();
     void open();
+    int claim(bool is_new) const;
     bool is_own() const;
-    bool lock();
+    bool lock() const;
 
     std::string path_, temporary_;
     std::optional<mode_t> mode_;  ///< permissions of the file that is replaced
