@@ -6,6 +6,7 @@
 
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
+#include "tests/sanitized.h"
 
 using namespace etalon::test;
 
@@ -36,6 +37,11 @@ std::string mpirun(int ranks) {
 std::string render(const std::string& task) {
     return "'" ETALON_BINARY_DIR "/bin/etalon' render '" ETALON_SOURCE_DIR "/scenes/features/'" +
            task + size;
+}
+
+/// The same for a scene in the current folder.
+std::string render_of(const std::string& task) {
+    return "'" ETALON_BINARY_DIR "/bin/etalon' render " + task + size;
 }
 
 /// Runs a shell command in each of some ranks.
@@ -135,6 +141,35 @@ TEST_CASE("A scene that rank 0 sends need not be where the others are", "[app][n
         CHECK(f.shell("ls -A nowhere").out.empty());
         if (input.empty()) CHECK(in_ranks(f, 2, many + "each").status == 3);
     }
+}
+
+TEST_CASE("A rank whose memory an image does not fit into ends the rendering",
+          "[app][needs_mpirun]") {
+    const Folder f;
+    SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
+    SKIP_UNLESS(!is_sanitized, "memory cannot be limited");
+    f.write("png.py", R"(
+import struct, zlib
+n = 4000
+def chunk(name, data):
+    return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+head = struct.pack(">2I5B", n, n, 8, 2, 0, 0, 0)
+rows = zlib.compress((bytes(1) + bytes([128]) * 3 * n) * n, 1)
+open("front.png", "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) +
+                              chunk(b"IDAT", rows) + chunk(b"IEND", b""))
+)");
+    REQUIRE(f.shell("mkdir box; cd box; python3 ../png.py; for i in back left right top bottom; do "
+                    "ln -s front.png $i.png; done")
+                .status == 0);
+    f.write("sky.p3f", small_scene + "env box\n");
+    const std::string one = render_of("sky.p3f --spp 20") + " -t 1 -o a.exr";
+    const auto r = f.shell("mpirun --allow-run-as-root --oversubscribe -n 1 " + one +
+                           " : --oversubscribe -n 1 " + one + " --max-memory 30M");
+    CAPTURE(r.err);
+    CHECK(r.status == 3);
+    CHECK_THAT(r.err, ContainsSubstring("rank 1 has failed: box/"));
+    CHECK_THAT(r.err, ContainsSubstring("not enough memory"));
+    CHECK_FALSE(f.has("a.exr"));
 }
 
 TEST_CASE("The copy of a scene stays in its folder, and --root moves with it",
