@@ -11,6 +11,7 @@
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/started_rank.h"
 #include "core/base/link_target.h"
 #include "core/image/atomic_file.h"
 
@@ -104,7 +105,7 @@ std::pair<std::string, int> check_outputs(const std::vector<std::string>& output
 }
 
 std::string check_image_to_standard_output() {
-    if (::isatty(STDOUT_FILENO) == 0) return {};
+    if (::isatty(STDOUT_FILENO) == 0 || started_rank().size != 1) return {};
     return "-o -: standard output is a terminal, which shows no image; expected a pipe or a file";
 }
 

@@ -23,7 +23,7 @@ std::pair<std::string, int> check_outputs(const std::vector<std::string>& output
                                           const std::vector<std::string>& inputs);
 
 /// Returns why standard output should not get the bytes of an image: it is a terminal. Empty if it
-/// may.
+/// may, as under mpirun, whose terminals pass all bytes on to wherever its own output goes.
 std::string check_image_to_standard_output();
 
 /// Writes text to a file, completely or not at all, or to standard output for "-". Returns false,

@@ -97,6 +97,16 @@ TEST_CASE("Ranks share the tiles, and rank 0 alone speaks", "[app][needs_mpirun]
     CHECK(std::accumulate(tiles.begin(), tiles.end(), 0) == 13 * 2 * 2);
 }
 
+TEST_CASE("Ranks write an image to the standard output of mpirun", "[app][needs_mpirun]") {
+    const Folder f;
+    SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
+    f.write("ball.p3f", small_scene);
+    REQUIRE(f.shell(render_of("ball.p3f --spp 4") + "-o a.png").status == 0);
+    const auto r = f.shell(mpirun(2) + render_of("ball.p3f --spp 4") + "-o - --output-format png");
+    CHECK(r.status == 0);
+    CHECK(r.out == f.read("a.png"));
+}
+
 TEST_CASE("A rank that has another scene, or none, ends the rendering by name",
           "[app][needs_mpirun]") {
     const Folder f;
