@@ -16,7 +16,6 @@
 #include "core/image/atomic_file.h"
 
 namespace etalon {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +33,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
     std::error_code none;
     if (fs::equivalent(a, b, none)) return true;
     const auto place_of = [&](const std::string& path) {
-        return fs::weakly_canonical(fs::absolute(link_target(path)), none);
+        return fs::weakly_canonical(fs::absolute(link_target(path), none), none);
     };
     return place_of(a) == place_of(b);
 }

@@ -57,7 +57,6 @@ LobeKind BsdfFrom::side(const Vec3& wi) const {
 }
 
 Evaluation BsdfFrom::evaluate_local(const Vec3f& wi, LobeKind side) const {
-    const bool is_turned = (wo_.z * wi.z > 0) != (side == LobeKind::reflection);
     Evaluation sum;
     for (std::size_t k = 0; k < lobes_.size(); ++k) {
         visit_lobe(
@@ -66,12 +65,29 @@ Evaluation BsdfFrom::evaluate_local(const Vec3f& wi, LobeKind side) const {
                 if constexpr (!is_specular(L::kind)) {
                     const Evaluation part = lobe.evaluate(wo_, wi);
                     if (scatters_to(side, L::kind)) sum.f += part.f;
-                    if (!is_one_sided<L>) {
-                        sum.pdf += picks_[k] * part.pdf;
-                    } else if (L::kind == side) {
-                        sum.pdf += picks_[k] * (is_turned ? lobe.evaluate(wo_, -wi).pdf : part.pdf);
-                    }
+                    if (!is_one_sided<L> || L::kind == side) sum.pdf += picks_[k] * part.pdf;
                 }
+            },
+            lobes_[k]);
+    }
+    const bool is_turned = (wo_.z * wi.z > 0) != (side == LobeKind::reflection);
+    if (is_turned) sum.pdf = turned_density(wi, side);
+    return sum;
+}
+
+/// Returns the density of a direction between the horizons of both normals.
+float BsdfFrom::turned_density(const Vec3f& wi, LobeKind side) const {
+    float sum = 0;
+    for (std::size_t k = 0; k < lobes_.size(); ++k) {
+        visit_lobe(
+            [&](const auto& lobe) {
+                using L = std::decay_t<decltype(lobe)>;
+                if constexpr (is_specular(L::kind))
+                    return;
+                else if constexpr (!is_one_sided<L>)
+                    sum += picks_[k] * lobe.evaluate(wo_, wi).pdf;
+                else if (L::kind == side)
+                    sum += picks_[k] * lobe.evaluate(wo_, -wi).pdf;
             },
             lobes_[k]);
     }

@@ -43,6 +43,7 @@ class BsdfFrom {
     std::size_t chosen(float choice) const;
     LobeKind side(const Vec3& wi) const;
     Evaluation evaluate_local(const Vec3f& wi, LobeKind side) const;
+    float turned_density(const Vec3f& wi, LobeKind side) const;
     std::optional<BsdfSample> sample_smooth(Vec3f local_wi, std::optional<LobeKind> own_side) const;
     std::optional<BsdfSample> sample_specular(float pick,
                                               const std::optional<SpecularSample>& chosen) const;
