@@ -16,11 +16,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Returns the full vertical field of view, in degrees.
-double field_of_view(const ProjectiveCamera& c) {
+double field_of_view(const ProjectiveCamera& c, const ImageWindow& window) {
     constexpr double degree = std::numbers::pi / 180;
     if (c.projection == Projection::environment) return 180;
     if (c.projection == Projection::orthographic) return 0;
-    return (std::atan(c.window.max.y) - std::atan(c.window.min.y)) / degree;
+    return std::abs(std::atan(window.top) - std::atan(window.bottom)) / degree;
 }
 
 std::string_view name_of(Projection projection) {
@@ -40,8 +40,9 @@ std::string_view name_of(Projection projection) {
 Camera described(const Camera& c, const Imath::V2i& resolution) {
     if (!c.projective) return c;
     Camera result = c;
-    const double pixel_height = c.projective->window.size().y / resolution.y;
-    result.fov_degrees = field_of_view(*c.projective);
+    const ImageWindow window = c.projective->window(resolution);
+    const double pixel_height = std::abs(window.height()) / resolution.y;
+    result.fov_degrees = field_of_view(*c.projective, window);
     result.aperture =
         c.projective->lens_radius > 0 ? 2 * c.projective->lens_radius / pixel_height : 0;
     result.focal = c.projective->focal_distance;

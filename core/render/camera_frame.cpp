@@ -59,10 +59,11 @@ CameraFrame pinhole_frame(const Camera& c, const Vec2& size) {
 
 /// Returns the projection of camera space, with z backwards, to [-1,1]^2 over the window. A point's
 /// third coordinate becomes 1.
-Imath::M44d projection_matrix(const ProjectiveCamera& c) {
-    const Vec2 scale = Vec2(2) / c.window.size();
-    const Vec2 offset = (c.window.min + c.window.max) / c.window.size();
-    if (c.projection == Projection::orthographic) {
+Imath::M44d projection_matrix(Projection projection, const ImageWindow& window) {
+    const Vec2 size(window.width(), window.height());
+    const Vec2 scale = Vec2(2) / size;
+    const Vec2 offset = Vec2(window.left + window.right, window.bottom + window.top) / size;
+    if (projection == Projection::orthographic) {
         return {scale.x,   0,         0, 0,  //
                 0,         scale.y,   0, 0,  //
                 0,         0,         0, 0,  //
@@ -76,7 +77,9 @@ Imath::M44d projection_matrix(const ProjectiveCamera& c) {
 
 /// Returns the frame of a camera with a space of its own. Lengths are those of that space; a
 /// point's distance along the view is measured in world space.
-CameraFrame projective_frame(const ProjectiveCamera& c, const Vec2& size) {
+CameraFrame projective_frame(const ProjectiveCamera& c, const Imath::V2i& resolution) {
+    const Vec2 size(resolution);
+    const ImageWindow window = c.window(resolution);
     const Affine& m = c.to_world;
     const Vec3 yz = m.y.cross(m.z), zx = m.z.cross(m.x), xy = m.x.cross(m.y);
     const double volume = m.determinant();
@@ -84,14 +87,14 @@ CameraFrame projective_frame(const ProjectiveCamera& c, const Vec2& size) {
                       c.focal_distance, {},       {}};
     frame.n = normalized(xy) * (volume > 0 ? -1.0 : 1.0);
     frame.world_to_camera = to_coordinates(yz / volume, zx / volume, -xy / volume, m.origin);
-    frame.pixel_size = c.window.size() / size;
-    frame.axis = Vec2(-c.window.min.x, c.window.max.y) / frame.pixel_size;
+    frame.pixel_size = Vec2(window.width(), window.height()) / size;
+    frame.axis = Vec2(-window.left, window.top) / frame.pixel_size;
     if (c.projection == Projection::environment) {
         frame.pixel_size = Vec2(1) / size;
     } else {
         frame.lens_radius = c.lens_radius;
         if (c.lens) return frame;
-        frame.world_to_ndc = frame.world_to_camera * projection_matrix(c);
+        frame.world_to_ndc = frame.world_to_camera * projection_matrix(c.projection, window);
     }
     return frame;
 }
@@ -99,9 +102,8 @@ CameraFrame projective_frame(const ProjectiveCamera& c, const Vec2& size) {
 }  // namespace
 
 CameraFrame camera_frame(const Camera& camera, const Imath::V2i& resolution) {
-    const Vec2 size(resolution);
-    return camera.projective ? projective_frame(*camera.projective, size)
-                             : pinhole_frame(camera, size);
+    return camera.projective ? projective_frame(*camera.projective, resolution)
+                             : pinhole_frame(camera, Vec2(resolution));
 }
 
 }  // namespace etalon

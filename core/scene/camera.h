@@ -31,16 +31,32 @@ struct LensSystem {
     double exposure;
 };
 
+/// A rectangle in the plane z = 1 of a camera's space. It is mirrored where the right edge is on
+/// the left, or the top below.
+struct ImageWindow {
+    double left, right, bottom, top;
+
+    double width() const { return right - left; }
+    double height() const { return top - bottom; }
+};
+
 /// A camera in a space of its own: x to the right, y up, looking along z. Any affine map, mirroring
 /// or not, takes it to world space.
 struct ProjectiveCamera {
     Projection projection = Projection::perspective;
-    Affine to_world;      ///< for a moving camera: at the time at which the shutter opens
-    Imath::Box2d window;  ///< the image in the plane z = 1; unused by Projection::environment
+    Affine to_world;  ///< for a moving camera: at the time at which the shutter opens
+    /// The part of the plane z = 1 that the image shows, if it is fixed; unused by
+    /// Projection::environment. If it is not, it is symmetric, its shorter side is twice
+    /// `half_side` and its aspect ratio is the image's.
+    std::optional<ImageWindow> fixed_window{};
+    double half_side = 1;
     double lens_radius = 0;
     double focal_distance = 1;                  ///< z of the plane in focus
     std::optional<AnimatedTransform> motion{};  ///< set if the camera moves
-    std::optional<LensSystem> lens{};           ///< if set, `window` is approximate
+    std::optional<LensSystem> lens{};           ///< if set, the window is approximate
+
+    /// Returns the part of the plane z = 1 that an image of some width and height shows.
+    ImageWindow window(const Imath::V2i& resolution) const;
 };
 
 /// A pinhole or thin-lens camera. The view plane passes through `at`.

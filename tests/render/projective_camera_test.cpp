@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "core/render/camera_rays.h"
 #include "tests/each_instruction_set.h"
@@ -17,7 +19,8 @@ Camera projective(const ProjectiveCamera& camera) {
 /// A map that shears and mirrors space; its columns are neither of unit length nor perpendicular.
 const Affine bent{{-2, 0, 0.5}, {0.25, 1.5, 0}, {0, 0.5, 3}, {1, -2, 4}};
 
-const ProjectiveCamera bent_camera{Projection::perspective, bent, {{-1.5, -1}, {1, 0.5}}, 0.25, 5};
+const ProjectiveCamera bent_camera{
+    Projection::perspective, bent, ImageWindow{-1.5, 1, -1, 0.5}, 1, 0.25, 5};
 
 const Imath::V2i size(200, 100);
 
@@ -29,8 +32,8 @@ bool close(const Vec3& a, const Vec3& b, double tolerance = 1e-14) {
 /// Returns the point of the plane z = 1 of camera space that a pixel shows.
 Vec3 on_window(const ProjectiveCamera& c, const Vec2& pixel) {
     const Vec2 part = pixel / Vec2(size);
-    return {c.window.min.x + part.x * (c.window.max.x - c.window.min.x),
-            c.window.max.y - part.y * (c.window.max.y - c.window.min.y), 1};
+    const ImageWindow w = c.window(size);
+    return {w.left + part.x * w.width(), w.top - part.y * w.height(), 1};
 }
 
 /// The point on the lens for (1, 0.5), and for (0.5, 1).
@@ -53,6 +56,38 @@ TEST_CASE("A perspective camera sees its window in the plane z = 1 of its space"
         const Ray ray = camera.ray(pixel, lens_middle);
         CHECK(ray.origin == bent.origin);
         CHECK(close(ray.direction, normalized(bent.vector(on_window(c, pixel)))));
+    }
+}
+
+TEST_CASE("The image of a window whose edges are exchanged is mirrored", "[render]") {
+    ProjectiveCamera c = bent_camera;
+    c.projection = GENERATE(Projection::perspective, Projection::orthographic);
+    c.lens_radius = 0;
+    const CameraRays camera(projective(c), size);
+    auto& [left, right, bottom, top] = *c.fixed_window;
+    std::swap(left, right), std::swap(bottom, top);
+    const CameraRays mirrored(projective(c), size);
+    for (const Vec2& pixel : {Vec2(0), Vec2(200, 100), Vec2(31.5, 77.25)}) {
+        const Ray ray = camera.ray(pixel, lens_middle);
+        const Ray same = mirrored.ray(Vec2(size) - pixel, lens_middle);
+        CHECK(close(ray.origin, same.origin));
+        CHECK(close(ray.direction, same.direction));
+        const Vec3 seen = bent.point(3.0 * on_window(bent_camera, pixel));
+        const Vec3 ndc = ndc_of(camera, seen);
+        CHECK(close(ndc_of(mirrored, seen), {-ndc.x, -ndc.y, ndc.z}, 1e-13));
+    }
+}
+
+TEST_CASE("Pixels are square in an image of any size if the window is not fixed", "[render]") {
+    ProjectiveCamera c = bent_camera;
+    c.fixed_window.reset();
+    c.half_side = 0.75;
+    for (const Imath::V2i& resolution : {Imath::V2i(200, 100), Imath::V2i(50, 75)}) {
+        const ImageWindow w = c.window(resolution);
+        CHECK(w.width() / resolution.x == Approx(w.height() / resolution.y));
+        CHECK(std::min(w.width(), w.height()) == 1.5);
+        CHECK(w.left == -w.right);
+        CHECK(w.bottom == -w.top);
     }
 }
 
@@ -124,8 +159,7 @@ TEST_CASE("A pinhole or lens camera by its own space has the same rays", "[rende
     const Vec3 right = normalized(plain.up.cross(n)), up = n.cross(right);
     const double slope = std::tan(20 * std::numbers::pi / 180), distance = back.length();
     const Affine to_world{right, up, -n, plain.eye};
-    const CameraRays same(projective({Projection::perspective, to_world,
-                                      Imath::Box2d({-2 * slope, -slope}, {2 * slope, slope}),
+    const CameraRays same(projective({Projection::perspective, to_world, std::nullopt, slope,
                                       8 * (2 * distance * slope / size.y) / 2, 1.5 * distance}),
                           size);
     for (int i = 0; i < 50; ++i) {
@@ -169,7 +203,7 @@ TEST_CASE("world_to_camera is camera space with z backwards", "[render]") {
 
 TEST_CASE("Depth is perpendicular to the image plane, in the world's lengths", "[render]") {
     const Affine doubled{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {0, 0, 1}};
-    ProjectiveCamera c{Projection::perspective, doubled, {{-1, -1}, {1, 1}}, 0, 1};
+    ProjectiveCamera c{Projection::perspective, doubled, std::nullopt, 1, 0, 1};
     CHECK(CameraRays(projective(c), size).depth({3, 4, 7}) == 6);
     c.to_world.x = {-2, 0, 0};
     CHECK(CameraRays(projective(c), size).depth({3, 4, -7}) == -8);

@@ -8,15 +8,24 @@
 namespace etalon::pbrt {
 namespace {
 
-/// Returns the part of the plane z = 1 that the image shows, before the field of view: the shorter
-/// side from -1 to 1 unless the file says otherwise.
-Imath::Box2d screen_window(const Parameters& p, const Imath::V2i& resolution) {
+/// Returns the part of the plane z = 1 that the image shows if the file fixes it, by its borders or
+/// by its aspect ratio.
+std::optional<ImageWindow> fixed_window(const Parameters& p, double half_side) {
     const std::span<const float> given = p.numbers("screenwindow");
-    if (given.size() == 4) return {Vec2(given[0], given[2]), Vec2(given[1], given[3])};
-    const double own = static_cast<double>(resolution.x) / resolution.y;
-    const double aspect = p.is_given("frameaspectratio") ? p.number("frameaspectratio") : own;
-    const Vec2 half = aspect > 1 ? Vec2(aspect, 1) : Vec2(1, 1 / aspect);
-    return {-half, half};
+    if (given.size() == 4) {
+        return ImageWindow{given[0] * half_side, given[1] * half_side, given[2] * half_side,
+                           given[3] * half_side};
+    }
+    if (!p.is_given("frameaspectratio")) return std::nullopt;
+    const double aspect = p.number("frameaspectratio");
+    const Vec2 half = half_side * (aspect > 1 ? Vec2(aspect, 1) : Vec2(1, 1 / aspect));
+    return ImageWindow{-half.x, half.x, -half.y, half.y};
+}
+
+/// Returns whether a window has an area that rays can be distributed over.
+bool has_area(const ImageWindow& window) {
+    const double area = window.width() * window.height();
+    return area != 0 && std::isfinite(area);
 }
 
 double half_tangent(const Parameters& p) {
@@ -39,10 +48,10 @@ void stop_down(SceneBuilder& b, const Plugin& plugin, std::vector<LensSurface>& 
 }
 
 /// Returns the part of the plane z = 1 that a film at that distance behind its lens shows.
-Imath::Box2d window_of(double diagonal, double image_distance, const Imath::V2i& resolution) {
+ImageWindow window_of(double diagonal, double image_distance, const Imath::V2i& resolution) {
     const Vec2 size(resolution);
     const Vec2 half = size / size.length() * (diagonal / 2 / image_distance);
-    return {-half, half};
+    return {-half.x, half.x, -half.y, half.y};
 }
 
 /// Returns the focused lens of a realistic camera, or why there is none.
@@ -77,17 +86,34 @@ void add_lens(SceneBuilder& b, const Plugin& plugin, ProjectiveCamera& camera) {
         return;
     }
     camera.projection = Projection::lens_system;
-    camera.window =
+    camera.fixed_window =
         window_of(lens.value.film_diagonal, focus.image_distance, b.result.settings.resolution);
     camera.focal_distance = plugin.parameters.number("focusdistance");
     camera.lens = std::move(lens.value);
+}
+
+/// Sets the window and the thin lens of a perspective or an orthographic camera.
+void add_window(SceneBuilder& b, const Plugin& plugin, ProjectiveCamera& camera) {
+    const Parameters& p = plugin.parameters;
+    if (plugin.type->name == "orthographic") {
+        camera.projection = Projection::orthographic;
+    } else {
+        camera.half_side = half_tangent(p);
+    }
+    camera.fixed_window = fixed_window(p, camera.half_side);
+    camera.lens_radius = p.number("lensradius");
+    camera.focal_distance = p.number("focaldistance");
+    if (has_area(camera.window(b.result.settings.resolution))) return;
+    b.warn(plugin.where, "window",
+           "the image shows no area; a field of view of 90 degrees stands in");
+    camera.fixed_window.reset();
+    camera.half_side = 1;
 }
 
 }  // namespace
 
 void build_camera(SceneBuilder& b) {
     const Plugin& plugin = b.frame.camera;
-    const Parameters& p = plugin.parameters;
     const std::string_view name = plugin.type->name;
     warn_of_stand_in(b, plugin);
     ProjectiveCamera camera;
@@ -99,18 +125,10 @@ void build_camera(SceneBuilder& b) {
     if (name == "environment") {
         camera.projection = Projection::environment;
     } else if (name == "realistic") {
-        camera.window = {Vec2(-1), Vec2(1)};
+        camera.fixed_window = {-1, 1, -1, 1};
         add_lens(b, plugin, camera);
     } else {
-        camera.window = screen_window(p, b.result.settings.resolution);
-        camera.lens_radius = p.number("lensradius");
-        camera.focal_distance = p.number("focaldistance");
-        if (name == "orthographic") {
-            camera.projection = Projection::orthographic;
-        } else {
-            camera.window.min *= half_tangent(p);
-            camera.window.max *= half_tangent(p);
-        }
+        add_window(b, plugin, camera);
     }
     Camera& c = b.scene().camera;
     c.eye = camera.to_world.origin;

@@ -1,0 +1,12 @@
+#include "core/scene/camera.h"
+
+namespace etalon {
+
+ImageWindow ProjectiveCamera::window(const Imath::V2i& resolution) const {
+    if (fixed_window) return *fixed_window;
+    const double aspect = static_cast<double>(resolution.x) / resolution.y;
+    const Vec2 half = half_side * (aspect > 1 ? Vec2(aspect, 1) : Vec2(1, 1 / aspect));
+    return {-half.x, half.x, -half.y, half.y};
+}
+
+}  // namespace etalon
