@@ -15,9 +15,12 @@ inline std::vector<std::string> integrator_choices() {
     return choices;
 }
 
-/// Overrides the scene's own integrator by one of the choices.
+/// Overrides the scene's own integrator, also where that sees direct light only, by one of the
+/// choices.
 inline void choose_integrator(std::string_view choice, RenderSettings& settings) {
-    if (choice != scene_integrator) settings.integrator = choice;
+    if (choice == scene_integrator) return;
+    settings.integrator = choice;
+    settings.direct_lighting = settings.ask_all_lights = false;
 }
 
 /// Prepares a scene for one of the choices, if that can render it.

@@ -30,6 +30,22 @@ TEST_CASE("render gives identical pixels with every exact backend and thread cou
     REQUIRE(f.etalon("render ball.p3f --spp 3 -o b.exr -b embree-builtin").status == 0);
 }
 
+TEST_CASE("render --integrator path sees indirect light also if the scene asks for direct light",
+          "[app]") {
+    const Folder f;
+    const std::string world =
+        "Sampler \"sobol\" \"integer pixelsamples\" 4 Film \"image\" \"integer xresolution\" 8 "
+        "\"integer yresolution\" 8 LookAt 0 2 4 0 0 0 0 1 0 Camera \"perspective\" WorldBegin "
+        "LightSource \"infinite\" Shape \"sphere\" Translate 0 -1 0 Shape \"disk\" WorldEnd\n";
+    f.write("path.pbrt", world);
+    f.write("direct.pbrt", "Integrator \"directlighting\"\n" + world);
+    REQUIRE(f.etalon("render path.pbrt -o path.exr").status == 0);
+    REQUIRE(f.etalon("render direct.pbrt -o direct.exr").status == 0);
+    REQUIRE(f.etalon("render direct.pbrt --integrator path -o both.exr").status == 0);
+    CHECK(pixels(f.path("path.exr")) != pixels(f.path("direct.exr")));
+    CHECK(pixels(f.path("path.exr")) == pixels(f.path("both.exr")));
+}
+
 TEST_CASE("render --spd shoots a ray through each pixel corner", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
