@@ -8,10 +8,10 @@
 
 namespace etalon {
 
-/// Up to eight lobes, which are summed.
+/// Up to sixteen lobes, which are summed: those of any two materials.
 class LobeList {
   public:
-    static constexpr std::size_t capacity = 8;
+    static constexpr std::size_t capacity = 16;
 
     LobeList() {}
     LobeList(const LobeList& other) { *this = other; }

@@ -56,6 +56,22 @@ TEST_CASE("Every kind of lobe is less by its part of a mix", "[material]") {
     }
 }
 
+TEST_CASE("A mix of two materials that are alike scatters as each of them", "[material]") {
+    const Color grey(0.5F), part(0.7F);
+    const Vec3 wo(0, 0.6, 0.8), up = normalized(Vec3(0.1, -0.5, 0.8)), down(0.2, -0.4, -0.9);
+    for (const PhysicalMaterial& material : std::vector<PhysicalMaterial>{
+             {UberMaterial{{grey}, {grey}, {grey}, {grey}, {part}, {1.5F}, rough(0.3F, 0.2F)}, {}},
+             {TranslucentMaterial{{grey}, {grey}, {grey}, {grey}, rough(0.3F, 0.3F)}, {}}}) {
+        INFO("material " << material.kind.index());
+        const Bsdf one = flat_scattering({material});
+        const Bsdf both = flat_scattering({material, material, mixed(0, 1, Color(0.25F))});
+        CHECK(both.lobes().size() == 2 * one.lobes().size());
+        CHECK(both.evaluate(wo, up).f.x == Approx(one.evaluate(wo, up).f.x));
+        CHECK(both.evaluate(wo, down).f.x == Approx(one.evaluate(wo, down).f.x));
+        CHECK(both.albedo(wo).x == Approx(one.albedo(wo).x));
+    }
+}
+
 TEST_CASE("A ring of mixes ends", "[material]") {
     const Bsdf bsdf =
         flat_scattering({matte(0.5F), mixed(2, 0, Color(0.5F)), mixed(1, 1, Color(0.5F))});

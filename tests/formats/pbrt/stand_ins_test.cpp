@@ -43,6 +43,29 @@ TEST_CASE("textures are nested until one value takes more than a thousand of the
     CHECK(said_of_world(nested_textures(40)).size() == 4);  // the count is reset each time
 }
 
+TEST_CASE("a mix whose materials may have more lobes than fit causes a warning") {
+    std::string world;
+    for (const char* name : {"a", "b", "c", "d"}) {
+        world += "MakeNamedMaterial \"" + std::string(name) +
+                 "\" \"string type\" \"uber\" \"float index\" 1.5 \"rgb Kd\" [0 0 ." +
+                 std::to_string(name[0]) + "]\n";
+    }
+    const auto mix = [](const std::string& name, const std::string& a, const std::string& b) {
+        return "MakeNamedMaterial \"" + name +
+               "\" \"string type\" \"mix\" \"string namedmaterial1\" \"" + a +
+               "\" \"string namedmaterial2\" \"" + b + "\"\n";
+    };
+    const std::string sphere = "Shape \"sphere\"";
+    const std::string three = world + mix("ab", "a", "b") + mix("abc", "ab", "c");
+    CHECK(said_of_world(three + "NamedMaterial \"abc\" " + sphere) == Said{});
+    const Said said =
+        said_of_world(three + mix("all", "abc", "d") + "NamedMaterial \"all\" " + sphere);
+    REQUIRE(said.size() == 1);
+    CHECK(
+        said[0].ends_with("warning: the materials of this mix have up to 20 lobes; those after "
+                          "the first 16 are left out"));
+}
+
 TEST_CASE("an integrator that ignores media causes a warning at its statement") {
     const std::string medium = "MakeNamedMedium \"m\" \"string type\" \"homogeneous\"";
     CHECK(said_of_world(medium) == Said{});

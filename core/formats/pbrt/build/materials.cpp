@@ -1,6 +1,7 @@
 // Materials of a frame, each by one line of a table.
 #include <array>
 
+#include "core/bsdf/lobe_list.h"
 #include "core/formats/pbrt/build/scattering_values.h"
 
 namespace etalon::pbrt {
@@ -156,33 +157,57 @@ Kind no_surface(SceneBuilder&, const Material&) {
 struct Entry {
     std::string_view name;
     Kind (*build)(SceneBuilder&, const Material&);
+    std::size_t lobes;  ///< number of lobes at most; for a mix, beside its parts'
 };
 
 // To add a material: a function above and a line here.
 constexpr std::array entries = {
-    Entry{"matte", matte},
-    Entry{"plastic", plastic},
-    Entry{"translucent", translucent},
-    Entry{"glass", glass},
-    Entry{"mirror", mirror},
-    Entry{"metal", metal},
-    Entry{"uber", uber},
-    Entry{"substrate", substrate},
-    Entry{"disney", disney},
-    Entry{"hair", hair},
-    Entry{"subsurface", subsurface},
-    Entry{"kdsubsurface", kd_subsurface},
-    Entry{"fourier", fourier},
-    Entry{"mix", mix},
-    Entry{"none", no_surface},
+    Entry{"matte", matte, 1},
+    Entry{"plastic", plastic, 2},
+    Entry{"translucent", translucent, 4},
+    Entry{"glass", glass, 2},
+    Entry{"mirror", mirror, 1},
+    Entry{"metal", metal, 1},
+    Entry{"uber", uber, 5},
+    Entry{"substrate", substrate, 1},
+    Entry{"disney", disney, 6},
+    Entry{"hair", hair, 1},
+    Entry{"subsurface", subsurface, 2},
+    Entry{"kdsubsurface", kd_subsurface, 2},
+    Entry{"fourier", fourier, 1},
+    Entry{"mix", mix, 0},
+    Entry{"none", no_surface, 0},
 };
+
+const Entry& entry_of(const Material& m) {
+    return *std::ranges::find(entries, m.plugin.type->name, &Entry::name);
+}
+
+/// Returns the number of lobes that a material has at most, with those of its parts.
+std::size_t most_lobes(const Frame& frame, const Material& m, int depth = 0) {
+    constexpr int deepest = 8;
+    std::size_t count = entry_of(m).lobes;
+    for (const std::uint32_t part : m.mixed) {
+        if (part == none || depth == deepest) continue;
+        count += most_lobes(frame, frame.materials[part], depth + 1);
+    }
+    return count;
+}
+
+void warn_of_lost_lobes(SceneBuilder& b, const Material& m) {
+    const std::size_t lobes = most_lobes(b.frame, m);
+    if (lobes <= LobeList::capacity) return;
+    b.warn(m.plugin.where, "lobes",
+           "the materials of this mix have up to {} lobes; those after the first {} are left out",
+           lobes, LobeList::capacity);
+}
 
 }  // namespace
 
 void build_materials(SceneBuilder& b) {
     for (const Material& m : b.frame.materials) {
-        const auto* const entry = std::ranges::find(entries, m.plugin.type->name, &Entry::name);
-        PhysicalMaterial built{entry->build(b, m)};
+        PhysicalMaterial built{entry_of(m).build(b, m)};
+        warn_of_lost_lobes(b, m);
         if (m.plugin.parameters.texture("bumpmap")) {
             built.bump = b.number(m.plugin.parameters, "bumpmap");
         }
