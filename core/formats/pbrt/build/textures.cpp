@@ -1,6 +1,6 @@
 // Textures of a frame, each by one line of a table, for numbers and for colours.
+#include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include "core/formats/pbrt/build/scene_builder.h"
 
@@ -126,10 +126,15 @@ Wrap wrap(std::string_view name) {
     return name == "black" ? Wrap::black : name == "clamp" ? Wrap::clamp : Wrap::repeat;
 }
 
+bool ends_with_any_case(std::string_view text, std::string_view ending) {
+    const auto lower = [](char c) { return 'A' <= c && c <= 'Z' ? c - 'A' + 'a' : c; };
+    if (text.size() < ending.size()) return false;
+    return std::ranges::equal(text.substr(text.size() - ending.size()), ending, {}, lower);
+}
+
 /// Returns whether a file's values are sRGB-encoded if the scene does not say.
 bool is_display_format(const std::string& file) {
-    const std::string extension = std::filesystem::path(file).extension().string();
-    return extension == ".png" || extension == ".tga" || extension == ".PNG" || extension == ".TGA";
+    return ends_with_any_case(file, ".png") || ends_with_any_case(file, ".tga");
 }
 
 template <class T>
