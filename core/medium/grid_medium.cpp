@@ -10,6 +10,14 @@ namespace {
 /// light.
 constexpr float all_but_a_rounding = 17;
 
+/// Number of collisions after which the rest of a segment is integrated instead. Where one channel
+/// is far denser than another, nearly all collisions are null for the light that is left.
+constexpr int most_collisions = 256;
+
+RaySegment rest_of(const RaySegment& segment, double at) {
+    return {segment.point(at), segment.direction, segment.length - at};
+}
+
 float largest_of(const Color& c) {
     return std::max({c.x, c.y, c.z});
 }
@@ -57,6 +65,7 @@ FreeFlight GridMedium::sample(const RaySegment& segment, const Color& throughput
     const RaySegment in_grid = in_box(segment);
     DensityBounds::Traversal traversal(bounds_, in_grid);
     Color weight(1.0F);
+    int collisions = 0;
     double at = traversal.begin(), left = optical_distance(first);
     while (const auto step = traversal.next()) {
         const double majorant = static_cast<double>(step->most) * largest_;
@@ -77,9 +86,27 @@ FreeFlight GridMedium::sample(const RaySegment& segment, const Color& throughput
                 return {at, weight * scattered / static_cast<float>(probability)};
             }
             weight *= (Color(1.0F) - real) / static_cast<float>(1 - probability);
+            if (++collisions < most_collisions) continue;
+            FreeFlight flight = sample_rest(rest_of(segment, at), throughput * weight, numbers);
+            return {at + flight.distance, weight * flight.weight};
         }
     }
     return {infinity, weight};
+}
+
+/// Samples how far a ray goes by integrating the density.
+FreeFlight GridMedium::sample_rest(const RaySegment& segment, const Color& throughput,
+                                   RandomSequence& numbers) const {
+    DensityProfile profile;
+    const DividedLight light = divide(segment, profile);
+    const double probability = average(throughput, removed(profile));
+    if (!(numbers.next() < probability)) {
+        return {infinity, light.passing / static_cast<float>(1 - probability)};
+    }
+    const double distance = numbers.next();
+    FreeFlight flight = sample(profile, throughput, {distance, numbers.next()});
+    flight.weight /= static_cast<float>(probability);
+    return flight;
 }
 
 DividedLight GridMedium::divide(const RaySegment& segment, DensityProfile& profile) const {
@@ -118,6 +145,7 @@ Color GridMedium::transmittance(const RaySegment& segment, RandomSequence& numbe
     const RaySegment in_grid = in_box(segment);
     DensityBounds::Traversal traversal(bounds_, in_grid);
     Color estimate(1.0F);
+    int collisions = 0;
     double at = traversal.begin(), known = 0;  // known: the integral of the least densities
     double left = optical_distance(numbers.next());
     while (const auto step = traversal.next()) {
@@ -130,6 +158,11 @@ Color GridMedium::transmittance(const RaySegment& segment, RandomSequence& numbe
             const float part = (density_at(grid_, in_grid.point(at)) - step->least) / range;
             estimate *= Color(1.0F) - std::clamp(part, 0.0F, 1.0F) * relative_;
             if (!survives(estimate, numbers)) return Color(0.0F);
+            if (++collisions < most_collisions) continue;
+            known -= step->least * (step->end - at);
+            DensityProfile rest;
+            return estimate * etalon::transmittance(extinction_, known) *
+                   divide(rest_of(segment, at), rest).passing;
         }
         left -= majorant * (step->end - at);
         at = step->end;

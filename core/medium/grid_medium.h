@@ -39,6 +39,8 @@ class GridMedium {
 
   private:
     RaySegment in_box(const RaySegment& segment) const;
+    FreeFlight sample_rest(const RaySegment& segment, const Color& throughput,
+                           RandomSequence& numbers) const;
     Color removed(const DensityProfile& profile) const;
 
     const PhysicalMedium& medium_;

@@ -156,6 +156,33 @@ TEST_CASE("A ray through a grid is divided as flights say, and passes exactly", 
     }
 }
 
+TEST_CASE("One dense channel of a grid costs no more than some hundred collisions", "[medium]") {
+    const PhysicalMedium medium = cloud(Color(1e5F, 0, 0.1F), Color(0, 0.3F, 0.4F));
+    const GridMedium grid(medium);
+    const Color throughput(1, 0.5F, 2);
+    for (const RaySegment& s : segments()) {
+        const double length = optical_length(grid, *medium.grid, s);
+        Vec3 passed(0), through(0), scattered(0);
+        for (int i = 0; i < estimates / 10; ++i) {
+            RandomSequence numbers(9, i), same(9, i);
+            passed += Vec3(grid.transmittance(s, numbers)) / (estimates / 10);
+            const FreeFlight f = grid.sample(s, throughput, numbers.next(), numbers);
+            (f.scatters() ? scattered : through) += Vec3(f.weight) / (estimates / 10);
+            const double next = numbers.next();
+            int drawn = 1;
+            while (same.next() != next && drawn < 5000) ++drawn;
+            CHECK(drawn < 2000);
+        }
+        for (int c = 0; c < 3; ++c) {
+            const double extinction = medium.extinction()[c], left = std::exp(-length * extinction);
+            CHECK_THAT(passed[c], WithinAbs(left, 0.02));
+            CHECK_THAT(through[c], WithinAbs(left, 0.03));
+            CHECK_THAT(scattered[c],
+                       WithinAbs((1 - left) * medium.scattering[c] / extinction, 0.03));
+        }
+    }
+}
+
 TEST_CASE("A grid of one density is a homogeneous medium, without noise", "[medium]") {
     const PhysicalMedium medium = block(2);
     const GridMedium grid(medium);
