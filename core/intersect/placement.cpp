@@ -10,10 +10,6 @@ Vec3 times_magnitudes(const std::array<Vec3, 3>& rows, const Vec3& v) {
     return {abs(rows[0]).dot(v), abs(rows[1]).dot(v), abs(rows[2]).dot(v)};
 }
 
-Vec3 transpose_times(const std::array<Vec3, 3>& rows, const Vec3& v) {
-    return v.x * rows[0] + v.y * rows[1] + v.z * rows[2];
-}
-
 /// Returns a bound on the roundings of transforming a point p to object space: see placed().
 Vec3 roundings_from(const Instance& instance, const Vec3& p) {
     return 8 * unit_roundoff * times_magnitudes(instance.rows, abs(p) + abs(instance.origin));
@@ -50,9 +46,9 @@ SurfacePoint placed(const Instance& instance, const SurfacePoint& local) {
     p.position += map.vector(local.position - to_object(instance, p.position));
     const Vec3 residual = abs(local.position - to_object(instance, p.position));
     const Vec3 roundings = roundings_from(instance, p.position);
-    const Vec3 across = transpose_times(instance.rows, local.normal);
+    const Vec3 across = normal_to_world(instance, local.normal);
     p.normal = normalized(across);
-    p.shading_normal = normalized(transpose_times(instance.rows, local.shading_normal));
+    p.shading_normal = normalized(normal_to_world(instance, local.shading_normal));
     const double clearance =
         abs(local.normal).dot(local.error + residual + roundings) / across.dot(p.normal);
     p.error = clearance * abs(p.normal);  // its product with the normal is the clearance

@@ -52,6 +52,11 @@ inline Ray to_object(const Instance& instance, const Ray& ray) {
     return local;
 }
 
+/// Transforms a normal from object to world space; its length changes.
+inline Vec3 normal_to_world(const Instance& instance, const Vec3& n) {
+    return n.x * instance.rows[0] + n.y * instance.rows[1] + n.z * instance.rows[2];
+}
+
 /// Returns a bound on |A^-1| |A| v for each axis, where A is the instance's matrix and v has three
 /// components 1: the factor by which a relative error of a point in object space grows in world
 /// space. `to_world` is that of the instance.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/intersect/normal_change.h"
 #include "core/material/mixed.h"
 
 namespace etalon {
@@ -36,8 +37,8 @@ PhysicalShading::PhysicalShading(const Scene& scene, std::vector<std::string>& p
 
 PhysicalShading::Traits PhysicalShading::traits_of(const PhysicalMaterial& material) const {
     const std::vector<PhysicalMaterial>& all = scene_.physical().materials;
-    Traits traits{constant_lobes(material, all, textures_), true};
-    traits.needs_coordinates = !traits.lobes || is_bumpy(material, all) ||
+    Traits traits{constant_lobes(material, all, textures_), true, is_bumpy(material, all)};
+    traits.needs_coordinates = !traits.lobes || traits.is_bumpy ||
                                std::ranges::any_of(traits.lobes->span(), is_anisotropic);
     const PhysicalMaterial& below = shape_giving(material, all);
     traits.may_scatter_below = may_scatter_below(below);
@@ -65,7 +66,12 @@ bool PhysicalShading::has_null_material(const PhysicalSurface& at) const {
 
 MaterialPoint PhysicalShading::material_point(const PhysicalSurface& at) const {
     const Parametrization p = physical_parametrization(scene_, at);
-    return {at.ng, at.ns, p.dpdu, p.dpdv, p.uv, at.point.position};
+    MaterialPoint point{at.ng, at.ns, p.dpdu, p.dpdv, p.uv, at.point.position};
+    if (!traits_[at.binding->material].is_bumpy) return point;
+    const double sign = at.binding->flipped ? -1 : 1;
+    point.dndu = sign * normal_change(scene_.geometry, at.point, p.dpdu);
+    point.dndv = sign * normal_change(scene_.geometry, at.point, p.dpdv);
+    return point;
 }
 
 PhysicalShading::Scattering PhysicalShading::scattering(const PhysicalSurface& at,

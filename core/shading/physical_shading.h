@@ -55,6 +55,7 @@ class PhysicalShading {
     struct Traits {
         std::optional<LobeList> lobes;  ///< if the same everywhere
         bool needs_coordinates;
+        bool is_bumpy;
         bool may_scatter_below = false;
         std::optional<Subsurface> subsurface{};  ///< if the same everywhere
     };
