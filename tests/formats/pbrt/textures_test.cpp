@@ -1,3 +1,4 @@
+#include "core/formats/load.h"
 #include "tests/formats/pbrt/pbrt_text.h"
 
 using namespace etalon;
@@ -124,4 +125,25 @@ TEST_CASE("a texture has the transformation of its place, at the start") {
         world_with("ActiveTransform EndTime Translate 1 0 0\nTexture \"t\" \"float\" \"fbm\"",
                    "a.pbrt:2:1: warning: 'Texture' cannot move: it stays where it is at the start");
     CHECK(moving.textures.at(0).to_world == 0);
+}
+
+TEST_CASE("textures are sRGB by their extension in any case, unless gamma says") {
+    const auto decodes = [](const std::string& file, const std::string& more = "") {
+        const LoadResult loaded = load_scene_text(
+            "WorldBegin\nTexture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"" + file +
+                "\" " + more +
+                "\nMaterial \"matte\" \"texture Kd\" \"t\" Shape \"sphere\"\nWorldEnd\n",
+            "a.pbrt");
+        return loaded.scene.value().physical().textures.images.at(0).decode_srgb;
+    };
+    for (const char* file : {"a.png", "a.Png", "a.PNG", "a.tGa", ".png"}) {
+        CAPTURE(file);
+        CHECK(decodes(file));
+        CHECK_FALSE(decodes(file, "\"bool gamma\" \"false\""));
+    }
+    for (const char* file : {"a.exr", "png", "a.png.pfm", "a.pn"}) {
+        CAPTURE(file);
+        CHECK_FALSE(decodes(file));
+        CHECK(decodes(file, "\"bool gamma\" \"true\""));
+    }
 }
