@@ -73,6 +73,7 @@ std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardC
         if (stop) break;
         print_message("etalon-bench: {}/{}\n", c.id, c.variant);
         const std::vector<Row> rows = accuracy::measure(c, backends, budget);
+        if (rows.empty()) print_message("  none of the backends has kernels of its own for it\n");
         write_table(a.json,
                     accuracy::table_of(rows, a.detail(), all.empty() ? "" : all.back().shape));
         all.insert(all.end(), rows.begin(), rows.end());
