@@ -17,6 +17,7 @@
 #include "bench/accuracy/report/plot.h"
 #include "bench/accuracy/report/remarks.h"
 #include "bench/bench_subcommands.h"
+#include "core/base/result.h"
 
 namespace etalon {
 namespace {
@@ -35,20 +36,47 @@ struct AccuracyArguments {
     table::Detail detail() const { return wide ? table::Detail::wide : table::Detail::narrow; }
 };
 
-/// Returns whether a row matches a name: "SPH" matches all ids that begin with it, "SPH-1" that id,
-/// and "SPH-1/1e3" those of its variants that begin with "1e3".
-bool is_named(const HardCase& c, const std::vector<std::string>& names) {
-    const std::string full = c.id + '/' + c.variant;
-    return names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-               return name == c.id || c.id.starts_with(name + '-') ||
-                      (name.find('/') != std::string::npos && full.starts_with(name));
-           });
+/// Returns whether a name is that of a case: "SPH" is that of all ids that begin with it, "SPH-1"
+/// of that id, and "SPH-1/1e3" of those of its variants that begin with "1e3".
+bool is_named(const HardCase& c, const std::string& name) {
+    const bool is_variant = name.find('/') != std::string::npos;
+    return name == c.id || c.id.starts_with(name + '-') ||
+           (is_variant && (c.id + '/' + c.variant).starts_with(name));
 }
 
-std::vector<HardCase> chosen_cases(const AccuracyArguments& a) {
+bool is_any(const std::vector<HardCase>& cases, const std::string& name) {
+    return std::ranges::any_of(cases, [&](const HardCase& c) { return is_named(c, name); });
+}
+
+/// Joins the words of a list that was split at all commas where they are one name, as those of
+/// "SPH-1/1e3 radii, float".
+std::vector<std::string> joined_names(const std::vector<std::string>& words,
+                                      const std::vector<HardCase>& cases) {
+    std::vector<std::string> names;
+    for (const std::string& word : words) {
+        const std::string longer = names.empty() ? "" : names.back() + ',' + word;
+        if (is_any(cases, longer)) {
+            names.back() = longer;
+        } else {
+            names.push_back(word);
+        }
+    }
+    return names;
+}
+
+/// Returns the cases with the names of the command line; the error says which names no case has.
+Result<std::vector<HardCase>> chosen_cases(const AccuracyArguments& a) {
     std::vector<HardCase> cases = hard::hard_cases();
-    std::erase_if(cases, [&](const HardCase& c) { return !is_named(c, a.cases); });
-    return cases;
+    if (a.cases.empty()) return {std::move(cases), {}};
+    const std::vector<std::string> names = joined_names(a.cases, cases);
+    for (const std::string& name : names) {
+        if (is_any(cases, name)) continue;
+        return {{}, fmt::format("--case {}: no case of that name; --list shows them all", name)};
+    }
+    std::erase_if(cases, [&](const HardCase& c) {
+        return std::ranges::none_of(names, [&](const auto& name) { return is_named(c, name); });
+    });
+    return {std::move(cases), {}};
 }
 
 int list_cases(const std::vector<HardCase>& cases) {
@@ -119,12 +147,12 @@ bool write_reports(const AccuracyArguments& a, const std::vector<HardCase>& case
 }
 
 int measure_accuracy(const AccuracyArguments& a) {
-    const std::vector<HardCase> cases = chosen_cases(a);
-    if (a.list) return list_cases(cases);
-    if (cases.empty()) {
-        print_message("etalon-bench: error: no case of that name: --list shows them all\n");
+    const auto [cases, unknown] = chosen_cases(a);
+    if (!unknown.empty()) {
+        print_message("etalon-bench: error: {}\n", unknown);
         return exit_usage;
     }
+    if (a.list) return list_cases(cases);
     const std::string plots = a.plots.empty() ? "" : a.plots + "/shape.svg";
     if (const auto [error, status] = check_outputs({a.json, a.markdown, plots}, {});
         !error.empty()) {
@@ -152,8 +180,9 @@ Action declare_accuracy(Options& options) {
     auto a = std::make_shared<AccuracyArguments>();
     options
         .add("--case", a->cases,
-             "Comma-separated list of cases: SPH, SPH-1, or \"SPH-1/1e3 radii\" (default: all of "
-             "--list)")
+             "Comma-separated list of cases: SPH, SPH-1, or \"SPH-1/1e3 radii, float\" (default: "
+             "all "
+             "of --list)")
         .value("CASE")
         .by_commas();
     options.add("--backends", a->backends, "Comma-separated list of backends")

@@ -42,3 +42,25 @@ TEST_CASE("accuracy: given other backends, then the spawned rays are the same") 
     };
     CHECK(rays_of_builtin("embree-builtin") == rays_of_builtin("bvh,embree-builtin"));
 }
+
+TEST_CASE("accuracy: given a name that no case has, then it is an error that quotes it") {
+    const Folder f;
+    for (const char* cases : {"SPH-1,TYPO-9", "TYPO-9,SPH-1", "SPH-1/nothing --list"}) {
+        CAPTURE(cases);
+        const auto r = accuracy(f, std::string("--rays 10 --backends bvh --case ") + cases);
+        CHECK(r.status == 2);
+        CHECK(r.out.empty());
+        CHECK_THAT(r.err, ContainsSubstring("no case of that name"));
+    }
+}
+
+TEST_CASE("accuracy: given the names of --list, then each names its case, with its commas") {
+    const Folder f;
+    const std::string all = accuracy(f, "--list").out;
+    REQUIRE_THAT(all, ContainsSubstring("\nSPH-1/1e3 radii, float\n"));
+    CHECK(accuracy(f, "--list --case 'SPH-1/1e3 radii, float'").out == "SPH-1/1e3 radii, float\n");
+    CHECK(accuracy(f, "--list --case 'SPH-1/1e3 radii, float,SPN-4/sliver'").out ==
+          "SPH-1/1e3 radii, float\nSPN-4/sliver\n");
+    CHECK_THAT(accuracy(f, "--list --case 'SPH-1/1e3 radii'").out,
+               ContainsSubstring("SPH-1/1e3 radii\n") && ContainsSubstring("radii, float\n"));
+}
