@@ -11,29 +11,13 @@
 #include "app/render/filter_option.h"
 #include "core/image/io.h"
 #include "core/render/spd_rules.h"
+#include "core/scene/resize.h"
 
 namespace etalon {
 namespace {
 
-constexpr int max_image_side = 65536;
-
 /// Largest number of samples per pixel of an image that ends by an error or a time limit.
 constexpr int ample_samples = 1 << 16;
-
-/// Returns the same part of an image of another size: at least one pixel, and without overlap for
-/// adjacent windows.
-Imath::Box2i resized(const Imath::Box2i& window, const Imath::V2i& from, const Imath::V2i& to) {
-    Imath::Box2i result;
-    for (int k = 0; k < 2; ++k) {
-        const auto place = [&](int border) {
-            const auto product = static_cast<std::int64_t>(border) * to[k];
-            return static_cast<int>((product + from[k] - 1) / from[k]);
-        };
-        result.min[k] = std::min(place(window.min[k]), to[k] - 1);
-        result.max[k] = std::max(place(window.max[k] + 1) - 1, result.min[k]);
-    }
-    return result;
-}
 
 /// Returns the numbers of a text that consists of whole numbers with separators between them.
 template <std::size_t count>
@@ -64,9 +48,7 @@ std::string apply_resolution(const std::string& text, RenderSettings& settings) 
         return fmt::format("--resolution {}: expected at most {} pixels a side", text,
                            max_image_side);
     }
-    const Imath::V2i size(width, height);
-    if (!settings.crop.isEmpty()) settings.crop = resized(settings.crop, settings.resolution, size);
-    settings.resolution = size;
+    resize(settings, {width, height});
     return {};
 }
 

@@ -18,6 +18,7 @@
 #include "bench/convergence/measure_foreign.h"
 #include "bench/frames/process_start.h"
 #include "bench/scenes/bench_scene.h"
+#include "core/scene/resize.h"
 
 namespace etalon {
 namespace {
@@ -92,7 +93,7 @@ int measure_convergence(ConvergenceArguments a) {
     a.plan.reading_seconds = frames::seconds_before_main() + reading.lap().cpu;
     write_message(named.messages);
     if (!named.scene) return exit_unusable;
-    bench::set_width(named.settings.resolution, a.width);
+    bench::set_width(named.settings, a.width);
     Measured all{a.scene, named.settings.resolution, a.plan.seeds};
     if (!a.foreign.empty()) {
         const std::string fault = measure_foreign_images(a, named.settings, all);
@@ -171,7 +172,7 @@ Action declare_convergence(Options& options) {
     options
         .add("--width", a->width,
              "Width of the image in pixels; its height follows (default: the scene's)")
-        .within(1, 65536);
+        .within(1, max_image_side);
     options.add("--json", a->json, "Write the results to this JSON file; - is standard output")
         .value("FILE");
     options

@@ -13,6 +13,7 @@
 #include "bench/bench_subcommands.h"
 #include "bench/frames/frame_report.h"
 #include "bench/frames/measure_frame.h"
+#include "core/scene/resize.h"
 
 namespace etalon {
 namespace {
@@ -70,7 +71,7 @@ Action declare_frames(Options& options) {
     options
         .add("--width", a->plan.width,
              "Width of the image in pixels; its height follows (default: the scene's)")
-        .within(1, 65536);
+        .within(1, max_image_side);
     options.add("--spp", a->plan.samples, "Number of samples per pixel (default: the scene's)")
         .within(1, 1 << 16);
     options.add("--repeat", a->plan.repeats, "Number of times each stage is measured")

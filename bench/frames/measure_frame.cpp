@@ -175,7 +175,7 @@ Result<FrameFigures> measure_frame(const std::string& name, const Plan& plan) {
     const double load = watch.lap().cpu;
     write_message(named.messages);
     if (!named.scene) return {{}, fmt::format("{}: no scene to measure", name)};
-    bench::set_width(named.settings.resolution, plan.width);
+    bench::set_width(named.settings, plan.width);
     if (plan.samples > 0) named.settings.samples_per_pixel = plan.samples;
     if (!plan.backend.empty()) named.settings.backend = plan.backend;
     FrameFigures figures = Frame(*named.scene, named.settings, plan.stop).measure(plan.repeats);

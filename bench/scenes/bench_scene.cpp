@@ -8,6 +8,7 @@
 
 #include "bench/scenes/bench_families.h"
 #include "core/formats/load.h"
+#include "core/scene/resize.h"
 #include "core/shading/textured_cut_outs.h"
 
 namespace etalon::bench {
@@ -75,10 +76,12 @@ NamedScene bench_scene(const std::string& name) {
     return {request.family->make(request.size), settings, ""};
 }
 
-void set_width(Imath::V2i& resolution, int width) {
+void set_width(RenderSettings& settings, int width) {
     if (width == 0) return;
-    resolution.y = std::max(1, (resolution.y * width + resolution.x / 2) / resolution.x);
-    resolution.x = width;
+    const Imath::V2i& size = settings.resolution;
+    const std::int64_t height = (std::int64_t{size.y} * width + size.x / 2) / size.x;
+    resize(settings,
+           {width, static_cast<int>(std::clamp<std::int64_t>(height, 1, max_image_side))});
 }
 
 std::string list_of_scenes() {

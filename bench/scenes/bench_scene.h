@@ -21,8 +21,9 @@ struct NamedScene {
 
 NamedScene bench_scene(const std::string& name);
 
-/// Sets the width of an image and scales its height; does nothing for 0.
-void set_width(Imath::V2i& resolution, int width);
+/// Sets the width of the image and scales its height, up to max_image_side, and its crop window;
+/// does nothing for 0.
+void set_width(RenderSettings& settings, int width);
 
 /// Returns a line for each family: its name with its default size, and its description.
 std::string list_of_scenes();

@@ -57,6 +57,22 @@ TEST_CASE("frames: given scenes, then each has its parts, and the rendering hold
     CHECK(j["frames"][0]["scene"] == "spheres:200");
 }
 
+TEST_CASE(
+    "frames: given a crop window and a width, then the window is the same part of the image") {
+    const Folder f;
+    f.write("crop.pbrt", R"(Film "image" "integer xresolution" 400 "integer yresolution" 400
+"float cropwindow" [0.25 0.75 0.25 0.75]
+Sampler "random" "integer pixelsamples" 4
+WorldBegin
+LightSource "infinite"
+WorldEnd
+)");
+    REQUIRE(run_frames(f, "crop.pbrt --width 40 --repeat 1 --json f.json").status == 0);
+    const json frame = json::parse(f.read("f.json"))["frames"][0];
+    CHECK(frame["width"] == 40);
+    CHECK(frame["rays"] == 20 * 20 * 4);  // the camera's, as there is nothing to hit
+}
+
 TEST_CASE("frames: given what is no scene, then the status says so") {
     const Folder f;
     CHECK(run_frames(f, "nowhere.p3f").status == 3);

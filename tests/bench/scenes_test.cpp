@@ -7,6 +7,7 @@
 #include "app/common/backends.h"
 #include "bench/scenes/bench_families.h"
 #include "bench/scenes/bench_scene.h"
+#include "core/scene/resize.h"
 #include "core/test_rays/ray_sets.h"
 #include "tests/catch.h"
 
@@ -217,4 +218,21 @@ TEST_CASE("A scene without instances is hit where the one with them is, at all b
         CHECK(hits > 1000);
         CHECK(others == 0);
     }
+}
+
+TEST_CASE("A width gives the height that belongs to it, and the same part as crop window") {
+    RenderSettings settings;
+    settings.resolution = {400, 200};
+    settings.crop = {{100, 50}, {299, 149}};
+    set_width(settings, 0);
+    CHECK(settings.resolution == Imath::V2i(400, 200));
+    set_width(settings, 100);
+    CHECK(settings.resolution == Imath::V2i(100, 50));
+    CHECK(settings.crop == Imath::Box2i({25, 12 + 1}, {74, 37}));
+    settings.resolution = {36000, 36000};
+    set_width(settings, 60000);
+    CHECK(settings.resolution.y == 60000);
+    settings.resolution = {1, 65536};
+    set_width(settings, 65536);
+    CHECK(settings.resolution.y == max_image_side);
 }

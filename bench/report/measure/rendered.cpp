@@ -8,6 +8,7 @@
 #include "app/common/console.h"
 #include "core/formats/load.h"
 #include "core/integrators/integrators.h"
+#include "core/scene/resize.h"
 #include "core/shading/textured_cut_outs.h"
 
 namespace etalon::bench_report {
@@ -43,7 +44,7 @@ std::optional<ShippedScene> shipped_scene(const std::string& name) {
 
 std::optional<ShippedScene> shipped_scene(const std::string& name, int width, int height) {
     std::optional<ShippedScene> shipped = shipped_scene(name);
-    if (shipped) shipped->settings.resolution = {width, height};
+    if (shipped) resize(shipped->settings, {width, height});
     return shipped;
 }
 
