@@ -12,6 +12,7 @@
 #include "core/sampling/hemisphere.h"
 #include "core/sampling/sample_source.h"
 #include "core/shading/light_samples.h"
+#include "core/shading/shadow_rays.h"
 #include "core/test_rays/aimed_rays.h"
 
 namespace etalon {
@@ -42,6 +43,19 @@ Vec3 on_unit_sphere(const Vec2& uv) {
 Box3 bounds_of(const Geometry& geometry) {
     const Box3 box = finite_bounds(geometry);
     return box.isEmpty() ? Box3(Vec3(-1), Vec3(1)) : box;
+}
+
+Ray shadow_ray(Ray ray) {
+    ray.set_coherent();
+    ray.set_shadow();
+    return ray;
+}
+
+/// Returns the ray to a light, which ends before it as those of the renderer do.
+Ray shadow_ray_to(const SurfacePoint& p, const Vec3& target) {
+    Ray ray = shadow_ray(spawn_ray_to(p, target));
+    ray.tmax = shadow_end;
+    return ray;
 }
 
 class RaySetMaker {
@@ -111,9 +125,7 @@ class RaySetMaker {
                 points.is_random()
                     ? points.position(sample.stratified(shadow_dimension, 0, points.count()))
                     : points.position(0);
-            rays.push_back(spawn_ray_to(p, target));
-            rays.back().set_coherent();
-            rays.back().set_shadow();
+            rays.push_back(shadow_ray_to(p, target));
         });
     }
 
@@ -125,9 +137,8 @@ class RaySetMaker {
             const auto light = static_cast<std::uint32_t>(rays.size() % lights.size());
             const LightSample s = lights.sample(light, p.position, sample.point(shadow_dimension));
             const Vec3 up = s.wi == Vec3(0) ? p.normal : s.wi;  // for a light that is not sampled
-            rays.push_back(s.at_infinity ? spawn_ray(p, up) : spawn_ray_to(p, s.target));
-            rays.back().set_coherent();
-            rays.back().set_shadow();
+            rays.push_back(s.at_infinity ? shadow_ray(spawn_ray(p, up))
+                                         : shadow_ray_to(p, s.target));
         });
     }
 

@@ -19,6 +19,20 @@ std::string one_more_than_cores() {
     return std::to_string(etalon::speed::usable_cores() + 1);
 }
 
+/// A plane below a lamp, with nothing in between.
+const char* const lamp = R"(LookAt 0 4 -6 0 0 0 0 1 0
+Camera "perspective" "float fov" 30
+Film "image" "integer xresolution" 32 "integer yresolution" 32
+WorldBegin
+AttributeBegin
+AreaLightSource "diffuse" "rgb L" [10 10 10]
+Translate 0 30 0
+Shape "sphere" "float radius" 0.5
+AttributeEnd
+Shape "trianglemesh" "point P" [-9 0 -9  9 0 -9  9 0 9 -9 0 9] "integer indices" [0 1 2 0 2 3]
+WorldEnd
+)";
+
 const std::string quick = "--scene spheres:200 --repeat 1 --max-rays 500 --oracle 0.02 ";
 
 }  // namespace
@@ -74,6 +88,25 @@ TEST_CASE("speed finds no error of an exact backend, whichever takes part") {
                 CHECK(errors["disputed"][error] == 0);
             }
         }
+    }
+}
+
+TEST_CASE("speed: given a lamp, then the shadow rays end before it and the oracle decides them") {
+    const Folder f;
+    f.write("lamp.pbrt", lamp);
+    const std::string rays = "--scene lamp.pbrt --backends bvh --rays shadow --repeat 1 ";
+    REQUIRE(speed(f, rays + "--max-rays 500 --oracle 0.1 --json s.json").status == 0);
+    const json j = json::parse(f.read("s.json"));
+    const json& tracers = j["scenes"][0]["rays"]["shadow"];
+    for (const char* rays : {"oracle", "disputed"}) {
+        const json& exact = tracers["bvh"]["errors"][rays];
+        CHECK(exact["undecidable"] == 0);
+        CHECK(exact["false_hits"] == 0);
+        // In float precision the rays end on the lamp, which then blocks some of them.
+        const json& in_float = tracers["embree-builtin"]["errors"][rays];
+        CHECK(in_float["rays"] > 0);
+        CHECK(in_float["undecidable"] == 0);
+        CHECK(in_float["false_hits"] > 0);
     }
 }
 

@@ -56,6 +56,10 @@ std::string disputed_rays(const Errors& e) {
     return count(e.disputed.rays);
 }
 
+std::string disputed_unsure(const Errors& e) {
+    return count(e.disputed.undecidable);
+}
+
 std::string disputed_errors(const Errors& e) {
     return count(e.disputed.errors());
 }
@@ -93,6 +97,8 @@ const table::Columns<RayLine>& ray_columns() {
         {"bits", "of t", 8, nearest_hit<disagreement<&Disagreement::distance>>,
          "the same primitive at another distance, if only by the last bit", Detail::wide},
         {"sampled", "rays", 8, any_query<sample<&OracleCheck::rays>>, meaning::sampled},
+        {"sampled", "unsure", 8, any_query<sample<&OracleCheck::undecidable>>,
+         "of these, rays that the oracle cannot decide", Detail::wide},
         {"sampled", "wrong", 8, any_query<sampled_errors>, meaning::wrong_of_sampled},
         {"false", "hits", 7, any_query<sample<&OracleCheck::false_hits>>,
          "of the sampled rays: a hit where there is nothing", Detail::wide},
@@ -105,6 +111,8 @@ const table::Columns<RayLine>& ray_columns() {
          "float",
          Detail::wide},
         {"disputed", "rays", 9, any_query<disputed_rays>, meaning::disputed},
+        {"disputed", "unsure", 9, any_query<disputed_unsure>,
+         "of these, rays that the oracle cannot decide", Detail::wide},
         {"disputed", "wrong", 9, any_query<disputed_errors>, meaning::wrong_of_disputed},
     };
     return all;
