@@ -3,24 +3,12 @@
 #include <algorithm>
 
 #include "app/common/console.h"
+#include "app/common/stand_ins.h"
 #include "core/image/lack_of_memory.h"
 #include "core/shading/textured_cut_outs.h"
 
 namespace etalon {
 namespace {
-
-/// Returns the place of the statement that names the image with which a problem begins, and what
-/// stands in for it.
-std::pair<std::string_view, std::string_view> statement_of(const Scene& scene,
-                                                           const SceneArguments& arguments,
-                                                           std::string_view problem) {
-    if (scene.is_physical()) {
-        for (const NamedImage& image : scene.physical().named_images) {
-            if (problem.starts_with(image.file + ": ")) return {image.where, image.stand_in};
-        }
-    }
-    return {arguments.path, "the background colour"};
-}
 
 /// A lack of memory is no property of the scene: another run would render another image.
 bool is_tolerable(std::string_view problem, const SceneArguments& arguments) {
@@ -40,9 +28,8 @@ bool tolerates(const Scene& scene, const SceneArguments& arguments,
                const std::vector<std::string>& problems) {
     for (auto problem = problems.begin(); problem != problems.end(); ++problem) {
         if (std::find(problems.begin(), problem, *problem) != problem) continue;
-        const auto [where, stand_in] = statement_of(scene, arguments, *problem);
         const char* const severity = is_tolerable(*problem, arguments) ? "warning" : "error";
-        print_message("{}: {}: {}; {} stands in\n", where, severity, *problem, stand_in);
+        write_message(stand_in_message(scene, arguments.path, severity, *problem));
     }
     return std::ranges::all_of(problems, [&](const auto& p) { return is_tolerable(p, arguments); });
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "app/common/backends.h"
 #include "app/common/console.h"
@@ -12,6 +13,7 @@
 #include "app/common/progress.h"
 #include "app/common/reference_image.h"
 #include "app/common/signals.h"
+#include "app/common/stand_ins.h"
 #include "app/common/stopwatch.h"
 #include "bench/bench_subcommands.h"
 #include "bench/convergence/convergence_results.h"
@@ -85,6 +87,47 @@ std::string measure_foreign_images(ConvergenceArguments& a, const RenderSettings
     return curves.error;
 }
 
+/// Returns why one of the integrators cannot render the scene; empty if all can.
+std::string check_integrators(const ConvergenceArguments& a, const bench::NamedScene& named) {
+    for (const std::string& name : a.integrators) {
+        RenderSettings settings = named.settings;
+        choose_integrator(name, settings);
+        if (find_integrator(settings.integrator)->renders(*named.scene)) continue;
+        return fmt::format("--integrators: {} cannot render a {} scene; expected {}",
+                           settings.integrator, named.scene->format,
+                           fmt::join(integrators_for(*named.scene), " or "));
+    }
+    return {};
+}
+
+/// Adds the curves of all integrators until a stop; returns an error message, or nothing.
+std::string measure_integrators(const ConvergenceArguments& a, const bench::NamedScene& named,
+                                const std::atomic<bool>& stop, Measured& all) {
+    Progress progress(a.scene);
+    const auto count = static_cast<double>(a.integrators.size());
+    for (std::size_t i = 0; i < a.integrators.size() && !stop; ++i) {
+        const auto done = static_cast<double>(i);
+        const RunProgress run{stop, [&](double part) { progress.update((done + part) / count); }};
+        bench::NamedScene scene = named;
+        choose_integrator(a.integrators[i], scene.settings);
+        prepare_scene(a.integrators[i], *scene.scene, scene.settings);
+        Result<Measured> one = measure_integrator(a, scene, scene.settings, run);
+        if (!one) return one.error;
+        all.reference = one.value.reference;
+        std::ranges::move(one.value.curves, std::back_inserter(all.curves));
+    }
+    return {};
+}
+
+void warn_of_replaced_images(const ConvergenceArguments& a, const Scene& scene,
+                             const Measured& measured) {
+    std::vector<std::string> problems;
+    for (const auto& curve : measured.curves) {
+        std::ranges::copy(curve.replaced_images, std::back_inserter(problems));
+    }
+    write_message(stand_in_warnings(scene, a.scene, problems));
+}
+
 int measure_convergence(ConvergenceArguments a) {
     const auto [error, status] = check_outputs({a.json, a.csv}, {a.scene});
     if (!error.empty()) return fail(status, error);
@@ -93,6 +136,8 @@ int measure_convergence(ConvergenceArguments a) {
     a.plan.reading_seconds = frames::seconds_before_main() + reading.lap().cpu;
     write_message(named.messages);
     if (!named.scene) return exit_unusable;
+    const std::string unfit = check_integrators(a, named);
+    if (!unfit.empty()) return fail(exit_usage, unfit);
     bench::set_width(named.settings, a.width);
     Measured all{a.scene, named.settings.resolution, a.plan.seeds};
     if (!a.foreign.empty()) {
@@ -101,27 +146,9 @@ int measure_convergence(ConvergenceArguments a) {
         if (!fault.empty()) return exit_unusable;
     }
     const SignalGuard signals;
-    Progress progress(a.scene);
-    const auto count = static_cast<double>(a.integrators.size());
-    for (std::size_t i = 0; i < a.integrators.size() && signals.signal() == 0; ++i) {
-        const auto done = static_cast<double>(i);
-        const RunProgress run{signals.raised(),
-                              [&](double part) { progress.update((done + part) / count); }};
-        bench::NamedScene scene = named;
-        RenderSettings& settings = scene.settings;
-        choose_integrator(a.integrators[i], settings);
-        if (!find_integrator(settings.integrator)->renders(*named.scene)) {
-            return fail(exit_usage, fmt::format("--integrators: {} cannot render a {} scene; "
-                                                "expected {}",
-                                                settings.integrator, named.scene->format,
-                                                fmt::join(integrators_for(*named.scene), " or ")));
-        }
-        prepare_scene(a.integrators[i], *scene.scene, settings);
-        Result<Measured> one = measure_integrator(a, scene, settings, run);
-        if (!one) return fail(exit_unusable, one.error);
-        all.reference = one.value.reference;
-        std::ranges::move(one.value.curves, std::back_inserter(all.curves));
-    }
+    const std::string fault = measure_integrators(a, named, signals.raised(), all);
+    if (!fault.empty()) return fail(exit_unusable, fault);
+    warn_of_replaced_images(a, *named.scene, all);
     all.stopped = signals.signal() != 0;
     if (!write_results(all, a.json, a.csv)) return exit_not_written;
     return all.stopped ? exit_signal + signals.signal() : exit_done;

@@ -39,6 +39,8 @@ struct Curve {
     std::vector<Point> points{};
     std::optional<Fit> fit{};  ///< nothing if there are too few points
     double preparation = 0;    ///< CPU seconds before rendering: starting, reading, building
+    /// Reasons, each beginning with the path, why images of the scene were replaced.
+    std::vector<std::string> replaced_images{};
 
     /// Returns 1 / (MSE * CPU seconds) of the last point. Twice the value is worth twice the
     /// machines.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "app/common/backends.h"
@@ -31,8 +32,9 @@ class Studio {
         build_seconds_ = watch_.lap().cpu;
     }
 
-    std::unique_ptr<Integrator> integrator(const RenderSettings& settings) const {
-        std::vector<std::string> problems;  // reported when the scene was read
+    /// Adds to `problems` why images of the scene are replaced.
+    std::unique_ptr<Integrator> integrator(const RenderSettings& settings,
+                                           std::vector<std::string>& problems) const {
         return find_integrator(settings.integrator)
             ->make(scene_, *intersector_, settings, problems);
     }
@@ -67,14 +69,16 @@ class SeedRun {
         control.observers = {{.progress = [&](double) { enough_ = enough_ || stop_; },
                               .after_pass = [&](const RenderedPass& pass) { note(pass.film); }}};
         watch_.lap();
-        const auto integrator = studio_.integrator(settings);
+        const auto integrator = studio_.integrator(settings, replaced_images_);
         integrator_seconds_ = watch_.lap().cpu;
         render(studio_.camera(), *integrator, settings, control);
+        std::ranges::move(integrator->late_problems(), std::back_inserter(replaced_images_));
         return stop_ ? std::vector<Point>() : std::move(points_);
     }
 
     /// CPU time of preparing the integrator.
     double integrator_seconds() const { return integrator_seconds_; }
+    const std::vector<std::string>& replaced_images() const { return replaced_images_; }
 
   private:
     void note(const Film& film) {
@@ -98,6 +102,7 @@ class SeedRun {
     std::atomic<bool> enough_ = false;
     Stopwatch watch_;
     double seconds_ = 0, integrator_seconds_ = 0;
+    std::vector<std::string> replaced_images_;
     std::vector<Point> points_;
 };
 
@@ -156,7 +161,9 @@ ReferenceImage render_reference(const Scene& scene, const RenderSettings& scene_
     control.stop = &run.stop;
     control.observers = {{.progress = run.progress}};
     const Studio studio(scene, plan.backends.front());
-    const Rendering r = render(scene.camera, *studio.integrator(settings), settings, control);
+    std::vector<std::string> problems;  // the curves have the same
+    const auto integrator = studio.integrator(settings, problems);
+    const Rendering r = render(scene.camera, *integrator, settings, control);
     return {image_pixels(r.film, settings),
             fmt::format("{} samples per pixel", settings.samples_per_pixel)};
 }
@@ -175,6 +182,7 @@ std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
             seeds.push_back(seed_run.points(curve.sampler, static_cast<std::uint32_t>(seed)));
             curve.preparation =
                 plan.reading_seconds + studio.build_seconds() + seed_run.integrator_seconds();
+            curve.replaced_images = seed_run.replaced_images();
             const double part = static_cast<double>(seed + 1) / plan.seeds;
             const auto before = static_cast<double>(done.size());
             run.progress((before + part) / static_cast<double>(curves.size()));

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "app/common/stand_ins.h"
 #include "bench/scenes/bench_families.h"
 #include "core/formats/load.h"
 #include "core/scene/resize.h"
@@ -47,9 +48,13 @@ std::string names_of_families() {
 
 NamedScene from_file(const std::string& path) {
     LoadResult loaded = load_scene(path);
-    std::vector<std::string> problems;  // an unreadable alpha image is replaced by grey
-    if (loaded.scene) make_cut_outs(*loaded.scene, problems);
-    return {std::move(loaded.scene), std::move(loaded.settings), report(loaded.diagnostics)};
+    std::string messages = report(loaded.diagnostics);
+    if (loaded.scene) {
+        std::vector<std::string> problems;
+        make_cut_outs(*loaded.scene, problems);
+        messages += stand_in_warnings(*loaded.scene, path, problems);
+    }
+    return {std::move(loaded.scene), std::move(loaded.settings), std::move(messages)};
 }
 
 }  // namespace

@@ -69,6 +69,7 @@ std::string measure_own(const LoadResult& loaded, const convergence::Plan& plan,
                           {task_progress.stop, task_progress.progress});
     if (curves.empty()) return "interrupted";
     figures.own = std::move(curves.front());
+    if (!figures.own.replaced_images.empty()) return figures.own.replaced_images.front();
     figures.comparisons = compare({figures.own}, figures.foreign);
     figures.is_same = is_same(figures.own.points.back());
     return {};
@@ -81,8 +82,9 @@ std::string compare_scene(const ForeignRequest& request, const Settings& setting
     LoadResult loaded = load_scene(request.scene);
     const double reading_seconds = frames::seconds_before_main() + reading.lap().cpu;
     if (std::string why = check_rendered_whole(loaded); !why.empty()) return why;
-    std::vector<std::string> problems;  // the integrator reports them
+    std::vector<std::string> problems;
     make_cut_outs(*loaded.scene, problems);
+    if (!problems.empty()) return problems.front();
     figures.size = loaded.settings.resolution;
     figures.reference = reference_for(request.images, request.scene);
     if (figures.reference.empty()) return "no reference image";

@@ -1,0 +1,74 @@
+// etalon-bench convergence as a process: what it checks, and what it warns of.
+#include <nlohmann/json.hpp>
+
+#include "bench/report/tasks.h"
+#include "tests/app/run_program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+namespace {
+
+/// A sphere with an image for its colour, which is none.
+const char* const textured = R"(LookAt 0 0 5 0 0 0 0 1 0
+Camera "perspective" "float fov" 30
+Film "image" "integer xresolution" 8 "integer yresolution" 8
+WorldBegin
+LightSource "point" "rgb I" [10 10 10] "point from" [0 3 5]
+Texture "a" "spectrum" "imagemap" "string filename" "x.png"
+Material "matte" "texture Kd" "a"
+Shape "sphere"
+WorldEnd
+)";
+
+/// A folder with that scene.
+struct TexturedFolder : Folder {
+    TexturedFolder() {
+        write("t.pbrt", textured);
+        write("x.png", "no image");
+    }
+    ProgramResult bench(const std::string& arguments) const {
+        return shell("exec '" ETALON_BINARY_DIR "/bin/etalon-bench' " + arguments);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("convergence: given an integrator that cannot render the scene, then it measures none") {
+    const TexturedFolder f;
+    const auto r = f.bench("convergence t.pbrt --integrators path,whitted --spp 4 --json c.json");
+    CHECK(r.status == 2);
+    CHECK_THAT(r.err, ContainsSubstring("--integrators: whitted cannot render a pbrt scene"));
+    CHECK(r.out.empty());
+    CHECK_FALSE(f.has("c.json"));
+}
+
+TEST_CASE("An image that cannot be read is told by convergence and frames, as by render") {
+    const TexturedFolder f;
+    const std::string warning = f.etalon("render t.pbrt --spp 1 -q -o t.exr").err;
+    REQUIRE_THAT(warning, ContainsSubstring("t.pbrt:6:") && ContainsSubstring("x.png") &&
+                              ContainsSubstring("stands in"));
+    for (const char* command : {"convergence t.pbrt --spp 4 --seeds 2 --samplers sobol",
+                                "frames t.pbrt --repeat 2 --backends bvh,grid"}) {
+        const auto r = f.bench(command);
+        CHECK(r.status == 0);
+        CHECK(r.err == warning);
+    }
+}
+
+TEST_CASE("A report compares no scene with an image that cannot be read") {
+    using namespace etalon::bench_report;
+    const TexturedFolder f;
+    REQUIRE(f.etalon("render t.pbrt --spp 16 -q -o t-16.exr").status == 0);
+    f.write("t.tsv", "scene\tcpu_s\trelmse\nt.pbrt\t1\t0.1\n");
+    Results results;
+    results.settings = quick_settings();
+    results.settings.foreign_samples = 4;
+    REQUIRE(add_foreign(f.path("t.tsv"), results.settings) == "");
+    const std::atomic<bool> stop = false;
+    for (const Task& task : foreign_tasks(results.settings)) {
+        task.run(results, {stop, etalon::Deadline(), [](double) {}});
+    }
+    REQUIRE(results.foreign.list.size() == 1);
+    CHECK_THAT(results.foreign.list[0].missing, ContainsSubstring("x.png"));
+}
