@@ -112,13 +112,12 @@ bool save(const SpeedArguments& a, const nlohmann::ordered_json& json, bool is_c
     return write_json(a.json, json);
 }
 
-/// Keeps finished results, marked as partial; returns the exit status.
-int stop_at(const std::string& scene, const SpeedArguments& a, nlohmann::ordered_json& json,
-            int signal) {
-    json["stopped"] = "signal";
-    write_table(a.json, fmt::format("Stopped by a signal in {}.\n", shortened(scene, 70)));
+/// Keeps finished results, marked as partial, and says why they are.
+void save_part(const SpeedArguments& a, nlohmann::ordered_json& json, const char* stopped,
+               const std::string& why) {
+    json["stopped"] = stopped;
+    write_table(a.json, why + "\n");
     save(a, json, true);
-    return exit_signal + signal;
 }
 
 int measure_speed(const SpeedArguments& a) {
@@ -131,13 +130,20 @@ int measure_speed(const SpeedArguments& a) {
     for (const std::string& name : a.scenes) {
         bench::NamedScene named = bench::bench_scene(name);
         write_message(named.messages);
-        if (!named.scene) return exit_unusable;
+        if (!named.scene) {
+            save_part(a, json, "error", "Ended at a scene that cannot be read: " + name);
+            return exit_unusable;
+        }
         const SceneFigures figures =
             measure(a, name, std::move(*named.scene), named.settings.resolution, signals.raised());
         if (!figures.builds.empty()) json["scenes"].push_back(json_of(figures));
         const bool is_last = signals.raised() || &name == &a.scenes.back();
         if (is_last) write_table(a.json, legend_of(a));
-        if (signals.raised()) return stop_at(name, a, json, signals.signal());
+        if (signals.raised()) {
+            save_part(a, json, "signal",
+                      fmt::format("Stopped by a signal in {}.", shortened(name, 70)));
+            return exit_signal + signals.signal();
+        }
         if (!save(a, json, is_last)) return exit_not_written;
     }
     return exit_done;

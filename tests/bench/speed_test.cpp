@@ -98,12 +98,12 @@ TEST_CASE("speed: given a lamp, then the shadow rays end before it and the oracl
     REQUIRE(speed(f, rays + "--max-rays 500 --oracle 0.1 --json s.json").status == 0);
     const json j = json::parse(f.read("s.json"));
     const json& tracers = j["scenes"][0]["rays"]["shadow"];
-    for (const char* rays : {"oracle", "disputed"}) {
-        const json& exact = tracers["bvh"]["errors"][rays];
+    for (const char* checked : {"oracle", "disputed"}) {
+        const json& exact = tracers["bvh"]["errors"][checked];
         CHECK(exact["undecidable"] == 0);
         CHECK(exact["false_hits"] == 0);
         // In float precision the rays end on the lamp, which then blocks some of them.
-        const json& in_float = tracers["embree-builtin"]["errors"][rays];
+        const json& in_float = tracers["embree-builtin"]["errors"][checked];
         CHECK(in_float["rays"] > 0);
         CHECK(in_float["undecidable"] == 0);
         CHECK(in_float["false_hits"] > 0);
@@ -139,6 +139,19 @@ TEST_CASE("speed leaves standard output to JSON where that is asked for") {
     const auto r = speed(f, quick + "--backends bvh --rays camera --json -");
     CHECK(json::parse(r.out)["scenes"].size() == 1);
     CHECK_THAT(r.err, ContainsSubstring("camera bvh"));
+}
+
+TEST_CASE("speed: given a scene that cannot be read, then those before it are written") {
+    const Folder f;
+    f.write("bad.p3f", "nonsense\n");
+    const std::string two =
+        "--scene spheres:20,bad.p3f --repeat 1 --max-rays 50 --oracle 0.01 "
+        "--backends bvh --rays camera --json ";
+    REQUIRE(speed(f, two + "s.json").status == 3);
+    for (const json& j : {json::parse(f.read("s.json")), json::parse(speed(f, two + "-").out)}) {
+        CHECK(j["stopped"] == "error");
+        CHECK(j["scenes"].size() == 1);
+    }
 }
 
 TEST_CASE("speed says what is wrong before it measures anything") {
