@@ -20,6 +20,8 @@ struct FrameFigures {
     double film = 0;          ///< adding the samples up
     double write = 0;         ///< encoding and writing an EXR
     double render = 0;        ///< the whole rendering, from camera rays to film
+    /// Times as fast as embree-builtin, or as the first backend if that does not take part.
+    double ratio = 1;
 
     /// Returns the time of the rendering beside the stages that are measured alone: surfaces,
     /// lights, and the rays that they spawn.

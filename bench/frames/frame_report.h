@@ -9,7 +9,8 @@
 
 namespace etalon::frames {
 
-/// Returns a heading, a line for each frame, and the meanings of the column names.
+/// Returns a heading, the name of each scene above a line for each of its backends, and the
+/// meanings of the column names.
 std::string table_of(std::span<const FrameFigures> frames, table::Detail detail);
 
 nlohmann::ordered_json json_of(const FrameFigures& frame);

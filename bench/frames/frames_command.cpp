@@ -13,6 +13,8 @@
 #include "bench/bench_subcommands.h"
 #include "bench/frames/frame_report.h"
 #include "bench/frames/measure_frame.h"
+#include "bench/frames/scratch_folder.h"
+#include "bench/scenes/bench_scene.h"
 #include "core/scene/resize.h"
 
 namespace etalon {
@@ -29,35 +31,63 @@ struct FramesArguments {
     table::Detail detail() const { return wide ? table::Detail::wide : table::Detail::narrow; }
 };
 
-int measure_frames(FramesArguments a) {
-    if (const auto [error, status] = check_outputs({a.json}, a.scenes); !error.empty()) {
-        print_message("etalon-bench: error: {}\n", error);
-        return status;
+int fail(int status, const std::string& message) {
+    print_message("etalon-bench: error: {}\n", message);
+    return status;
+}
+
+/// Measures the scenes until a stop or the first error, which it returns.
+std::string measure_all(const FramesArguments& a, std::vector<frames::FrameFigures>& figures) {
+    for (const std::string& scene : a.scenes) {
+        if (a.plan.is_over()) break;
+        const auto frame = frames::measure_frame(scene, a.plan);
+        if (!frame) return frame.error;
+        for (frames::FrameFigures f : frame.value) {
+            f.scene = std::filesystem::path(scene).stem().string();
+            figures.push_back(std::move(f));
+        }
     }
-    const SignalGuard signals;
-    a.plan.stop = &signals.raised();
-    std::vector<frames::FrameFigures> figures;
+    return {};
+}
+
+/// Writes the tables and the file; `stopped` is why they are incomplete, or null.
+bool write_results(const FramesArguments& a, const std::vector<frames::FrameFigures>& figures,
+                   const Json& stopped) {
+    write_table(a.json, table_of(figures, a.detail()));
+    if (!stopped.is_null()) {
+        write_table(a.json,
+                    fmt::format("Stopped by {} {}: not all frames and repeats.\n",
+                                stopped == "error" ? "an" : "a", stopped.get<std::string>()));
+    }
+    if (a.json.empty()) return true;
     Json json = provenance();
     json["repeats"] = a.plan.repeats;
     json["frames"] = Json::array();
+    for (const frames::FrameFigures& f : figures) json["frames"].push_back(json_of(f));
+    json["stopped"] = stopped;
+    return write_json(a.json, json);
+}
+
+int measure_frames(FramesArguments a) {
     for (const std::string& scene : a.scenes) {
-        if (signals.signal() != 0) break;
-        Result<frames::FrameFigures> frame = frames::measure_frame(scene, a.plan);
-        if (!frame) {
-            print_message("etalon-bench: error: {}\n", frame.error);
-            return exit_unusable;
-        }
-        if (frame.value.repeats == 0) break;
-        frame.value.scene = std::filesystem::path(scene).stem().string();
-        json["frames"].push_back(json_of(frame.value));
-        figures.push_back(std::move(frame.value));
+        const std::string complaint = bench::complaint_about(scene);
+        if (!complaint.empty()) return fail(exit_unusable, complaint);
     }
-    write_table(a.json, table_of(figures, a.detail()));
-    json["stopped"] = signals.signal() != 0 ? Json("signal") : Json();
-    if (signals.signal() != 0)
-        write_table(a.json, "Stopped by a signal: not all frames and repeats.\n");
-    if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
-    return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
+    const auto [clash, status] = check_outputs({a.json}, a.scenes);
+    if (!clash.empty()) return fail(status, clash);
+    const frames::ScratchFolder folder;
+    if (!folder.error().empty()) return fail(exit_not_written, folder.error());
+    a.plan.image = folder.file("frame.exr");
+    const SignalGuard signals;
+    a.plan.stop = &signals.raised();
+    std::vector<frames::FrameFigures> figures;
+    const std::string error = measure_all(a, figures);
+    if (!error.empty()) fail(exit_unusable, error);
+    const bool by_signal = signals.signal() != 0;
+    const Json stopped = by_signal ? Json("signal") : error.empty() ? Json() : Json("error");
+    if (!write_results(a, figures, stopped)) return exit_not_written;
+    if (by_signal) return exit_signal + signals.signal();
+    return error.empty() ? exit_done : exit_unusable;
 }
 
 }  // namespace
@@ -66,7 +96,10 @@ Action declare_frames(Options& options) {
     auto a = std::make_shared<FramesArguments>();
     options.add("SCENE", a->scenes, "Scene files, or names of `etalon-bench speed --list`")
         .required();
-    options.add("-b,--backend", a->plan.backend, "Backend (default: the scene's)")
+    options
+        .add("-b,--backends", a->plan.backends,
+             "Comma-separated list of backends, measured in turn (default: the scene's)")
+        .by_commas()
         .one_of(backend_names());
     options
         .add("--width", a->plan.width,

@@ -78,6 +78,62 @@ TEST_CASE("frames: given what is no scene, then the status says so") {
     CHECK(run_frames(f, "nowhere.p3f").status == 3);
     CHECK(run_frames(f, "spheres:10 -b bvhh").status == 2);
     CHECK(run_frames(f, "").status == 2);
+    const auto late = run_frames(f, "spheres:10 typo.p3f --json f.json");
+    CHECK(late.status == 3);
+    CHECK(late.out.empty());
+    CHECK_FALSE(f.has("f.json"));
+}
+
+TEST_CASE("frames: given a scene that cannot be read, then those before it are written") {
+    const Folder f;
+    f.write("bad.p3f", "nonsense\n");
+    const auto r = run_frames(f, "spheres:20 bad.p3f --width 20 --repeat 1 --json f.json");
+    CHECK(r.status == 3);
+    CHECK_THAT(r.out, ContainsSubstring("spheres:20") && ContainsSubstring("Stopped by an error"));
+    const json j = json::parse(f.read("f.json"));
+    CHECK(j["stopped"] == "error");
+    CHECK(j["frames"].size() == 1);
+}
+
+TEST_CASE(
+    "frames: given several backends, then each has its ratio to embree-builtin, or the first") {
+    const Folder f;
+    const std::string run = "spheres:20 --width 20 --repeat 2 --json f.json --backends ";
+    const auto check_ratios = [&](const std::string& backends, std::size_t baseline) {
+        const auto r = run_frames(f, run + backends);
+        REQUIRE(r.status == 0);
+        const json all = json::parse(f.read("f.json"))["frames"];
+        REQUIRE(all.size() == 2);
+        for (const json& frame : all) {
+            CHECK_THAT(r.out,
+                       ContainsSubstring("\n  " + frame["backend"].get<std::string>() + " "));
+            CHECK(frame["repeats"] == 2);
+            CHECK(frame["ratio"] == double(all[baseline]["cpu_seconds"]["render"]) /
+                                        double(frame["cpu_seconds"]["render"]));
+        }
+    };
+    check_ratios("bvh,embree-builtin", 1);
+    check_ratios("grid,bvh", 0);
+}
+
+TEST_CASE("frames: given no folder for temporary files, then it ends before it measures") {
+    const Folder f;
+    for (const char* folder : {"/nonexistent", "/proc"}) {
+        const auto r = f.shell(std::string("TMPDIR=") + folder +
+                               " exec '" ETALON_BINARY_DIR
+                               "/bin/etalon-bench' frames spheres:20 --json f.json");
+        CHECK(r.status == 4);
+        CHECK_THAT(r.err, ContainsSubstring("no folder for temporary files"));
+        CHECK_FALSE(f.has("f.json"));
+    }
+}
+
+TEST_CASE("frames: given a folder for temporary files, then nothing is left in it") {
+    const Folder f;
+    const auto r = f.shell("mkdir t; TMPDIR=t '" ETALON_BINARY_DIR
+                           "/bin/etalon-bench' frames spheres:20 --width 20 --repeat 1; ls -A t");
+    CHECK(r.status == 0);
+    CHECK_THAT(r.out, !ContainsSubstring("etalon-"));
 }
 
 TEST_CASE("RecordedRays: given batches, then all are answered and every n-th is asked again") {

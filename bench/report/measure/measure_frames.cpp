@@ -1,51 +1,50 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "app/common/console.h"
 #include "app/common/output.h"
 #include "bench/frames/measure_frame.h"
+#include "bench/frames/scratch_folder.h"
 #include "bench/report/measure/rendered.h"
 #include "scenes/generate/scene_text.h"
 
 namespace etalon::bench_report {
 namespace {
 
-/// A scene file, which is removed at the end if it was written for the measurement.
-class SceneFile {
-  public:
-    explicit SceneFile(const FrameRequest& request) : path_(request.scene) {
-        if (request.origin == FrameOrigin::shipped) path_ = shipped_path(request.scene);
-        if (request.origin != FrameOrigin::family) return;
-        made_ = std::filesystem::temp_directory_path() /
-                fmt::format("etalon_{}_{}.p3f", request.scene, getpid());
-        path_ = made_.string();
-        write_text(path_, generate::scene_text(request.scene, request.size));
+/// Returns the scene's file; that of a family is written to the folder.
+std::string file_of(const FrameRequest& request, const frames::ScratchFolder& folder) {
+    if (request.origin == FrameOrigin::shipped) return shipped_path(request.scene);
+    if (request.origin == FrameOrigin::given) return request.scene;
+    const std::string path = folder.file(request.scene + ".p3f");
+    write_text(path, generate::scene_text(request.scene, request.size));
+    return path;
+}
+
+Result<std::vector<frames::FrameFigures>> figures_of(const FrameRequest& request,
+                                                     const Settings& settings,
+                                                     const TaskProgress& task_progress) {
+    const frames::ScratchFolder folder;
+    if (!folder.error().empty()) return {{}, folder.error()};
+    frames::Plan plan;
+    plan.repeats = settings.frame_repeats;
+    plan.width = request.width;
+    plan.samples = request.samples;
+    plan.image = folder.file("frame.exr");
+    plan.stop = &task_progress.stop;
+    plan.deadline = task_progress.deadline;
+    return frames::measure_frame(file_of(request, folder), plan);
+}
+
+void measure(const FrameRequest& request, Results& results, const TaskProgress& task_progress) {
+    auto figures = figures_of(request, results.settings, task_progress);
+    if (!figures) return print_message("etalon-bench: warning: {}\n", figures.error);
+    for (frames::FrameFigures& frame : figures.value) {
+        frame.scene = request.origin == FrameOrigin::given
+                          ? std::filesystem::path(request.scene).stem().string()
+                          : request.scene;
+        results.frames.add({request.origin, std::move(frame)});
     }
-    ~SceneFile() {
-        std::error_code ignored;
-        if (!made_.empty()) std::filesystem::remove(made_, ignored);
-    }
-    SceneFile(const SceneFile&) = delete;
-    SceneFile& operator=(const SceneFile&) = delete;
-
-    const std::string& path() const { return path_; }
-
-  private:
-    std::filesystem::path made_;
-    std::string path_;
-};
-
-void measure(const FrameRequest& request, Results& results) {
-    const SceneFile file(request);
-    Result<frames::FrameFigures> frame = frames::measure_frame(
-        file.path(), {results.settings.frame_repeats, request.width, request.samples, {}});
-    if (!frame) return print_message("etalon-bench: warning: {}\n", frame.error);
-    frame.value.scene = request.origin == FrameOrigin::given
-                            ? std::filesystem::path(request.scene).stem().string()
-                            : request.scene;
-    results.frames.add({request.origin, std::move(frame.value)});
 }
 
 /// Estimates two renderings, and for each repeat about one and a half more. The time of a scene's
@@ -64,7 +63,7 @@ std::vector<Task> frame_tasks(const Settings& settings) {
     for (const FrameRequest& request : settings.frames) {
         tasks.push_back({"frames of " + request.scene, seconds_for(request, settings),
                          [request](Results& results, const TaskProgress& task_progress) {
-                             if (!task_progress.is_over()) measure(request, results);
+                             if (!task_progress.is_over()) measure(request, results, task_progress);
                          }});
     }
     return tasks;
