@@ -80,12 +80,21 @@ OracleReferences RayMeasurement::oracle_references(const RaySet& set,
     return {setup_, oracle_, set, places, plan_.oracle_seconds};
 }
 
+/// Returns the disputed rays in an order of which every prefix is spread evenly over them, as time
+/// may not suffice for all.
+std::vector<std::size_t> RayMeasurement::disputed_rays(const RaySet& set, const Answers& answers) {
+    const std::vector<std::size_t> places = disputed(answers, set.occlusion);
+    std::vector<std::size_t> order;
+    for (const std::size_t i : scattered(places.size())) order.push_back(places[i]);
+    return order;
+}
+
 void RayMeasurement::find_errors(const RaySet& set, const Answers& answers,
                                  KindFigures& figures) const {
     const std::vector<Answer> first = answers_of(default_backend, set, answers);
     const std::vector<Answer> second = answers_of(second_backend, set, answers);
     const OracleReferences sample = oracle_references(set, scattered(set.rays.size()));
-    const OracleReferences quarrels = oracle_references(set, disputed(answers, set.occlusion));
+    const OracleReferences quarrels = oracle_references(set, disputed_rays(set, answers));
     for (std::size_t i = 0; i < tracers_.size(); ++i) {
         Errors& errors = figures.tracers[i].errors;
         errors.reference = reference_of(tracers_[i].name());

@@ -31,6 +31,7 @@ class RayMeasurement {
                                  Answers& answers) const;
     std::vector<Answer> answers_of(const std::string& name, const RaySet& set,
                                    const Answers& answers) const;
+    static std::vector<std::size_t> disputed_rays(const RaySet& set, const Answers& answers);
     OracleReferences oracle_references(const RaySet& set,
                                        const std::vector<std::size_t>& places) const;
     void find_errors(const RaySet& set, const Answers& answers, KindFigures& figures) const;

@@ -28,6 +28,8 @@ speed::SceneFigures scene() {
         speed::Errors errors;
         errors.sample.rays = 2174;
         errors.sample.false_hits = name == std::string("embree-builtin") ? 12 : 0;
+        errors.disputed.rays = 30;
+        errors.disputed.false_misses = name == std::string("embree-builtin") ? 7 : 0;
         figures.kinds[0].tracers.push_back({name, {runs(seconds)}, errors});
         seconds += 0.25;
     }

@@ -100,7 +100,7 @@ gap:1.4rem 2.4rem}
 .bars .name{width:9.8rem}
 .bars .value{width:3.7rem;text-align:right}
 .bars .ratio{width:6.6rem;text-align:right}
-.bars .note{width:7.4rem;text-align:right}
+.bars .note{width:7.4rem;text-align:right;white-space:pre-line}
 .bars tbody .value{font-weight:600}
 .bars tbody .ratio,.bars tbody .note,.bars thead th+td~th{font-size:.78rem}
 .bars tbody .ratio,.bars .note:not(.good):not(.bad){color:var(--quiet)}

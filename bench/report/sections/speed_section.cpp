@@ -20,10 +20,15 @@ double rate(const KindFigures& kind, const std::vector<double>& seconds) {
     return 1e-6 * static_cast<double>(kind.rays) / median(seconds);
 }
 
-/// Returns the number of wrong answers to the rays checked by the oracle: a sample, and those on
-/// which tracers disagree.
+/// Returns the number of wrong answers to a sample of the rays and, below, to those on which
+/// tracers disagree. Their sum would be no rate of anything.
 Cell wrong_of(const CheckedAnswers& sampled, const CheckedAnswers& disputed) {
-    return bench_report::wrong_of(sampled.wrong + disputed.wrong, sampled.rays + disputed.rays);
+    Cell cell = bench_report::wrong_of(sampled.wrong, sampled.rays);
+    if (disputed.rays == 0) return cell;
+    const Cell more = bench_report::wrong_of(disputed.wrong, disputed.rays);
+    cell.text += "\n" + more.text + " disputed";
+    if (more.mark == Mark::bad) cell.mark = more.mark;
+    return cell;
 }
 
 Bar bar_of(const KindFigures& kind, const RayFigures& r) {
@@ -175,8 +180,10 @@ Section speed_section(const Results& results) {
             "else the machine does disturbs little.",
             settings.plan.repeats),
         "A speed without its errors says nothing. A quad-precision oracle judges a sample of the "
-        "rays, and those on which the backends do not agree: “wrong” are hits where there is "
-        "nothing, misses where there is something, and other primitives than the nearest."};
+        "rays and, of those on which the backends do not agree, as many as time allows: “wrong” "
+        "are "
+        "hits where there is nothing, misses where there is something, and other primitives than "
+        "the nearest. The second number is that of the disputed rays."};
     if (results.scenes.list.empty()) return section;
     section.figures.push_back(one_picture(results));
     section.figures.push_back(overview(results));
