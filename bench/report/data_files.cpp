@@ -132,9 +132,14 @@ std::string csv_of(const Table& table) {
 
 }  // namespace
 
-bool write_data_files(const std::string& folder, const Results& results, const Page& page) {
+bool write_data(const std::string& folder, const Results& results, const Page& page) {
+    return write_json((std::filesystem::path(folder) / "data.json").string(),
+                      data_of(results, page));
+}
+
+bool write_tables(const std::string& folder, const Page& page) {
     const std::filesystem::path place(folder);
-    bool written = write_json((place / "data.json").string(), data_of(results, page));
+    bool written = true;
     for (const Section& section : page.sections) {
         for (const Figure& figure : section.figures) {
             const auto* table = std::get_if<Table>(&figure.content);

@@ -8,8 +8,11 @@
 
 namespace etalon::bench_report {
 
-/// Writes the results as data.json, and each table of the page as SECTION-TITLE.csv (RFC 4180),
-/// into the folder. Returns whether all could be written; messages go to standard error.
-bool write_data_files(const std::string& folder, const Results& results, const Page& page);
+/// Writes the results as data.json into the folder. Returns whether it could be written; messages
+/// go to standard error.
+bool write_data(const std::string& folder, const Results& results, const Page& page);
+
+/// The same for each table of the page, as SECTION-TITLE.csv (RFC 4180).
+bool write_tables(const std::string& folder, const Page& page);
 
 }  // namespace etalon::bench_report

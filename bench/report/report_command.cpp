@@ -41,8 +41,8 @@ Results nothing_yet(const Settings& settings) {
     return results;
 }
 
-/// One run of the command. The page is rewritten after every task, so that it is up to date
-/// whenever the run ends.
+/// One run of the command. The page and its data are rewritten after every task, so that they are
+/// up to date whenever the run ends.
 class Report {
   public:
     Report(const std::string& folder, const Settings& settings)
@@ -57,7 +57,9 @@ class Report {
         announce();
         if (!write("It is being measured: nothing yet.")) return exit_not_written;
         if (!measure()) return exit_not_written;
-        if (!write(missing()) || !write_data()) return exit_not_written;
+        if (!write(missing()) || !write_tables(folder_, page_of(results_))) {
+            return exit_not_written;
+        }
         print_result("{}\n", path_);
         return signals_.signal() != 0 ? exit_signal + signals_.signal() : exit_done;
     }
@@ -71,7 +73,7 @@ class Report {
             results_.settings.name == "quick" ? "" : ", --quick takes two minutes");
     }
 
-    /// Returns false if the page cannot be written.
+    /// Returns false if the results cannot be written.
     bool measure() {
         Progress progress("report");
         double before = 0;
@@ -105,10 +107,9 @@ class Report {
 
     bool write(const std::string& missing) {
         results_.missing = missing;
-        return write_text(path_, html(page_of(results_)));
+        const Page page = page_of(results_);
+        return write_text(path_, html(page)) && write_data(folder_, results_, page);
     }
-
-    bool write_data() const { return write_data_files(folder_, results_, page_of(results_)); }
 
     const SignalGuard signals_;
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

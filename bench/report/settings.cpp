@@ -73,6 +73,11 @@ std::vector<std::string> files_at(const std::string& path) {
     return files;
 }
 
+/// Makes room for a task of about so many seconds, in case it takes twice as long.
+void extend_limit(double seconds, Settings& settings) {
+    if (settings.seconds_limit > 0) settings.seconds_limit += 2 * seconds;
+}
+
 /// Scenes in which good sampling matters: of lights, lens and highlights.
 constexpr const char* converging[] = {"features/soft_shadows.p3f", "features/depth_of_field.p3f",
                                       "features/glossy.p3f"};
@@ -149,6 +154,7 @@ std::string add_frames(const std::vector<std::string>& paths, Settings& settings
             const std::string complaint = bench::complaint_about(file);
             if (!complaint.empty()) return complaint;
             settings.frames.push_back({FrameOrigin::given, file, 0, width, 0});
+            extend_limit(seconds_for(settings.frames.back(), settings), settings);
         }
     }
     return {};
@@ -160,12 +166,18 @@ std::string add_foreign(const std::string& table, Settings& settings) {
     settings.foreign_table = table;
     for (const std::string& scene : convergence::scenes_of(images.value)) {
         settings.foreign.push_back({scene, convergence::images_of(images.value, scene)});
-        if (settings.seconds_limit > 0) {
-            settings.seconds_limit += 2 * seconds_for(settings.foreign.back(), settings);
-        }
+        extend_limit(seconds_for(settings.foreign.back(), settings), settings);
     }
     if (settings.foreign.empty()) return table + ": error: no column named scene";
     return {};
+}
+
+/// Estimates two renderings, and for each repeat about one and a half more.
+double seconds_for(const FrameRequest& request, const Settings& settings) {
+    const double renderings = 2 + 1.5 * settings.frame_repeats;
+    if (request.samples == 0) return renderings * (request.width > 0 ? 0.1 : 1);
+    const double samples = 0.7 * request.width * request.width * request.samples;
+    return 1e-6 * renderings * samples * microseconds_of_sample(request.scene);
 }
 
 double seconds_for(const ForeignRequest& request, const Settings& settings) {

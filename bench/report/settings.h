@@ -80,13 +80,17 @@ struct Settings {
 Settings quick_settings();
 Settings full_settings();
 
-/// Adds scene files, and those in folders, to the frames. Returns why one cannot be added, or an
-/// empty string.
+/// Adds scene files, and those in folders, to the frames, and the time that they take to the limit.
+/// Returns why one cannot be added, or an empty string.
 std::string add_frames(const std::vector<std::string>& paths, Settings& settings);
 
 /// Adds the scenes of a table of other programs' images, and the time that they take to the limit.
 /// Returns what is wrong with the table, or an empty string.
 std::string add_foreign(const std::string& table, Settings& settings);
+
+/// Returns the approximate time of measuring a frame, in seconds of wall time. That of a scene's
+/// own resolution is unknown before it is loaded.
+double seconds_for(const FrameRequest& request, const Settings& settings);
 
 /// Returns the approximate time of comparing a scene with other programs, in seconds of wall time.
 double seconds_for(const ForeignRequest& request, const Settings& settings);

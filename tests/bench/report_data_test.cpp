@@ -32,7 +32,8 @@ const KeyFigure& key_figure(const Page& page, const std::string& name, const std
 }
 
 json written_data(const Results& results, const TemporaryFolder& folder) {
-    REQUIRE(write_data_files(folder / ".", results, page_of(results)));
+    REQUIRE(write_data(folder / ".", results, page_of(results)));
+    REQUIRE(write_tables(folder / ".", page_of(results)));
     return json::parse(content_of(folder / "data.json"));
 }
 

@@ -25,6 +25,12 @@ Results measured(Settings settings, FrameOrigin origin) {
     return results;
 }
 
+/// A clock that goes on by a second whenever it is read.
+double seconds_of_calls() {
+    static std::atomic<int> calls = 0;
+    return ++calls;
+}
+
 const std::string report = "exec '" ETALON_BINARY_DIR "/bin/etalon-bench' report --quick ";
 
 }  // namespace
@@ -57,6 +63,32 @@ TEST_CASE("A report measures the frames of the families that etalon-scenes makes
         CHECK(frame.figures.render > 0);
         CHECK(frame.figures.load > 0);
     }
+}
+
+TEST_CASE("A report's frame ends when the time is up, without figures") {
+    const Folder f;
+    f.write("a.p3f", small_scene);
+    Results results;
+    results.settings = quick_settings();
+    results.settings.frames.clear();
+    REQUIRE(add_frames({f.path("a.p3f")}, results.settings).empty());
+    results.settings.frames.front().samples = 1 << 16;
+    const std::atomic<bool> stop = false;
+    const etalon::Deadline deadline(20, seconds_of_calls);
+    frame_tasks(results.settings).front().run(results, {stop, deadline, [](double) {}});
+    CHECK(deadline.is_over());
+    CHECK(results.frames.list.empty());
+}
+
+TEST_CASE("A report has more time if it is given scenes") {
+    const Folder f;
+    f.write("a.p3f", small_scene);
+    Settings quick = quick_settings(), full = full_settings();
+    const double before = quick.seconds_limit;
+    REQUIRE(add_frames({f.path("a.p3f")}, quick).empty());
+    CHECK(quick.seconds_limit > before);
+    REQUIRE(add_frames({f.path("a.p3f")}, full).empty());
+    CHECK(full.seconds_limit == 0);
 }
 
 TEST_CASE("A report says at once which scene it cannot find") {

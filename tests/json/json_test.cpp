@@ -237,7 +237,7 @@ void check_measurements(Comparison& c, const Programs& run) {
 /// Uses made-up figures, since the report itself takes minutes.
 void check_report(Comparison& c, const Programs& run) {
     const bench_report::Results results = sample_results();
-    REQUIRE(write_data_files(run.folder().path(""), results, page_of(results)));
+    REQUIRE(write_data(run.folder().path(""), results, page_of(results)));
     c.check("datajson-of-etalon-bench-report", json::parse(run.folder().read("data.json")));
 }
 

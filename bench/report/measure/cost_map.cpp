@@ -8,8 +8,8 @@
 namespace etalon::bench_report {
 
 /// Renders each pixel as a separate image, since rays are counted per image.
-PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
-                           const TaskProgress& task_progress) {
+std::optional<PixelPlane> rays_of_samples(const Scene& scene, const RenderSettings& settings,
+                                          const TaskProgress& task_progress) {
     const auto intersector = find_backend(default_backend)->build(scene.geometry);
     std::vector<std::string> problems;
     const auto integrator =
@@ -17,13 +17,14 @@ PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
     RunControl control = control_of(task_progress);
     control.observers.clear();
     const int width = settings.resolution.x, height = settings.resolution.y;
-    return plane_of(width, height, [&](std::size_t pixel) {
+    PixelPlane rays = plane_of(width, height, [&](std::size_t pixel) {
         const Imath::V2i at(static_cast<int>(pixel) % width, static_cast<int>(pixel) / width);
         RenderSettings here = settings;
         here.crop = {at, at};
         const RayCounts counts = render(scene.camera, *integrator, here, control).counts;
         return static_cast<double>(counts.total()) / settings.samples_per_pixel;
     });
+    return task_progress.is_over() ? std::nullopt : std::optional(std::move(rays));
 }
 
 std::optional<PixelPlane> tests_of_camera_rays(const Scene& scene, const RenderSettings& settings,

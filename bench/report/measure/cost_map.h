@@ -10,9 +10,10 @@
 
 namespace etalon::bench_report {
 
-/// Returns the number of rays of a sample for each pixel, of any kind.
-PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
-                           const TaskProgress& task_progress);
+/// Returns the number of rays of a sample for each pixel, of any kind; nothing if it was over
+/// early.
+std::optional<PixelPlane> rays_of_samples(const Scene& scene, const RenderSettings& settings,
+                                          const TaskProgress& task_progress);
 
 /// Returns the number of boxes and primitives a camera ray is tested against by a backend; nothing
 /// if that does not count.

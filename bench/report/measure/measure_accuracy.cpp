@@ -28,10 +28,11 @@ std::vector<Group> groups() {
     return groups;
 }
 
-accuracy::Budget budget_of(const Settings& settings) {
+accuracy::Budget budget_of(const Settings& settings, const TaskProgress& task_progress) {
     accuracy::Budget budget;
     budget.rays = settings.case_rays;
     budget.seconds = settings.case_seconds;
+    budget.stop = &task_progress.stop;
     return budget;
 }
 
@@ -41,7 +42,7 @@ void measure(const Group& group, Results& results, const TaskProgress& task_prog
     for (const std::string& name : results.settings.accuracy_backends) {
         backends.push_back(find_backend(name));
     }
-    const accuracy::Budget budget = budget_of(results.settings);
+    const accuracy::Budget budget = budget_of(results.settings, task_progress);
     std::vector<std::vector<Row>> rows(group.cases.size());
     std::atomic<std::size_t> done{0};
     parallel_for(group.cases.size(), 1, [&](std::size_t begin, std::size_t end) {

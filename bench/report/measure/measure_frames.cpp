@@ -47,15 +47,6 @@ void measure(const FrameRequest& request, Results& results, const TaskProgress& 
     }
 }
 
-/// Estimates two renderings, and for each repeat about one and a half more. The time of a scene's
-/// own resolution is unknown before it is loaded.
-double seconds_for(const FrameRequest& request, const Settings& settings) {
-    const double renderings = 2 + 1.5 * settings.frame_repeats;
-    if (request.samples == 0) return renderings * (request.width > 0 ? 0.1 : 1);
-    const double samples = 0.7 * request.width * request.width * request.samples;
-    return 1e-6 * renderings * samples * microseconds_of_sample(request.scene);
-}
-
 }  // namespace
 
 std::vector<Task> frame_tasks(const Settings& settings) {

@@ -75,7 +75,9 @@ void measure(const ImageRequest& request, Results& results, const TaskProgress& 
         magma(error), figures);
     RenderSettings fewer = settings;
     fewer.samples_per_pixel = request.fewer_samples;
-    add_cost("Rays of a sample", rays_of_samples(scene, fewer, task_progress), figures);
+    if (const auto rays = rays_of_samples(scene, fewer, task_progress)) {
+        add_cost("Rays of a sample", *rays, figures);
+    }
     if (const auto tests = tests_of_camera_rays(scene, settings, default_backend, task_progress)) {
         add_cost(std::string("Tests of a camera ray by ") + default_backend, *tests, figures);
     }
