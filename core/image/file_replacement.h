@@ -22,6 +22,9 @@ class FileReplacement {
     /// Writes the next bytes, unless an earlier call failed.
     void write(std::string_view bytes);
 
+    /// Returns whether a call failed, so that further work is in vain.
+    bool has_failed() const { return error_ != 0; }
+
     /// Replaces the file by what was written, once that is on the disk. Returns the reason of the
     /// first failure, beginning with the path, or an empty string.
     std::string put_in_place();

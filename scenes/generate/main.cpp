@@ -3,13 +3,14 @@
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
-#include <system_error>
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/help.h"
 #include "app/common/program.h"
+#include "app/common/signals.h"
 #include "core/formats/nearest_name.h"
 #include "scenes/generate/generator_families.h"
 #include "scenes/generate/scene_output.h"
@@ -51,16 +52,24 @@ int no_family(const std::string& name) {
                                         list_of_families()));
 }
 
+struct Interrupted {};
+
 int write_scene(const Family& family, std::int64_t size, const std::string& path) {
+    const SignalGuard signals;
     try {
         Output output(path);
-        family.generate([&](std::string_view text) { output.write(text); },
-                        fmt::format("etalon-scenes {} --size {}", family.name, size), size);
+        const auto write = [&](std::string_view text) {
+            if (signals.raised()) throw Interrupted();
+            output.write(text);
+        };
+        family.generate(write, fmt::format("etalon-scenes {} --size {}", family.name, size), size);
         output.commit();
         return exit_done;
-    } catch (const std::system_error& e) {
+    } catch (const Interrupted&) {
+        return exit_signal + signals.signal();
+    } catch (const std::runtime_error& e) {
         if (path.empty()) return exit_not_written;  // the end of the program says why
-        return fail(exit_not_written, fmt::format("{}: {}", path, e.code().message()));
+        return fail(exit_not_written, e.what());
     }
 }
 

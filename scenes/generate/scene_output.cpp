@@ -2,49 +2,57 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <stdexcept>
 #include <system_error>
 
 #include "app/common/console.h"
-#include "core/base/link_target.h"
 
 namespace etalon::generate {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool written_in_place(const std::string& path) {
+bool is_written_in_place(const std::string& path) {
     std::error_code ignored;
-    return path.empty() || (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored));
-}
-
-void require(bool success) {
-    if (!success) throw std::system_error(errno, std::generic_category());
+    return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
 }
 
 }  // namespace
 
-Output::Output(const std::string& path)
-    : path_(link_target(path).string()),
-      written_(written_in_place(path_) ? path_ : path_ + ".part"),
-      file_(path.empty() ? nullptr : std::fopen(written_.c_str(), "wb")) {
-    require(path.empty() || file_ != nullptr);
+Output::Output(const std::string& path) : path_(path) {
+    if (path.empty()) return;
+    if (is_written_in_place(path)) {
+        device_ = std::fopen(path.c_str(), "wb");
+        require(device_ != nullptr);
+    } else {
+        file_.emplace(path);
+    }
 }
 
 Output::~Output() {
-    if (file_ == nullptr) return;
-    std::fclose(file_);
-    if (written_ != path_) std::remove(written_.c_str());
+    if (device_ != nullptr) std::fclose(device_);
 }
 
 void Output::write(std::string_view text) {
-    if (file_ == nullptr) return require(write_result(text));
-    require(std::fwrite(text.data(), 1, text.size(), file_) == text.size());
-    require(std::fflush(file_) == 0);
+    if (file_) {
+        file_->write(text);
+        if (file_->has_failed()) commit();
+    } else if (device_ != nullptr) {
+        require(std::fwrite(text.data(), 1, text.size(), device_) == text.size());
+        require(std::fflush(device_) == 0);
+    } else {
+        require(write_result(text));
+    }
 }
 
 void Output::commit() {
-    if (written_ != path_) require(std::rename(written_.c_str(), path_.c_str()) == 0);
-    written_ = path_;
+    if (!file_) return;
+    const std::string error = file_->put_in_place();
+    if (!error.empty()) throw std::runtime_error(error);
+}
+
+void Output::require(bool success) const {
+    if (!success) throw std::runtime_error(path_ + ": " + std::generic_category().message(errno));
 }
 
 }  // namespace etalon::generate

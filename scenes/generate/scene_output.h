@@ -1,15 +1,18 @@
 #pragma once
 
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "core/image/file_replacement.h"
+
 namespace etalon::generate {
 
-/// A file that appears whole or not at all: written beside its place, renamed by commit(). An empty
-/// path is standard output; what exists and is no regular file (a pipe, /dev/null) is written in
-/// place. A symbolic link stays one: what it leads to is written. Throws std::system_error where
-/// the file cannot be opened, written or finished: a full disk ends the work at once.
+/// A file that appears whole or not at all, at commit(). An empty path is standard output; what
+/// exists and is no regular file (a pipe, /dev/null) is written in place. A symbolic link stays
+/// one: what it leads to is written. Throws std::runtime_error, whose text is the reason, where the
+/// file cannot be opened, written or finished: a full disk ends the work at once.
 class Output {
   public:
     explicit Output(const std::string& path);
@@ -21,8 +24,11 @@ class Output {
     void commit();
 
   private:
-    std::string path_, written_;  ///< where it belongs, and where it is being written
-    std::FILE* file_;             ///< nullptr: standard output
+    void require(bool success) const;
+
+    std::string path_;
+    std::optional<FileReplacement> file_;
+    std::FILE* device_ = nullptr;  ///< if it is written in place
 };
 
 }  // namespace etalon::generate

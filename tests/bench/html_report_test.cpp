@@ -76,8 +76,10 @@ TEST_CASE("A report of less than everything says so, and which of its sections a
 
 TEST_CASE("A report marks what is wrong and what is right") {
     const std::string page = html(page_of(sample_results()));
-    CHECK_THAT(page, ContainsSubstring("note bad\" data-name=\"wrong\">12 of 2,174\n7 of 30 disputed<"));
-    CHECK_THAT(page, ContainsSubstring("note good\" data-name=\"wrong\">0 of 2,174\n0 of 30 disputed<"));
+    CHECK_THAT(page,
+               ContainsSubstring("note bad\" data-name=\"wrong\">12 of 2,174\n7 of 30 disputed<"));
+    CHECK_THAT(page,
+               ContainsSubstring("note good\" data-name=\"wrong\">0 of 2,174\n0 of 30 disputed<"));
     CHECK_THAT(page, ContainsSubstring("number bad\">fail: 999,999"));
     CHECK_THAT(page, ContainsSubstring("bad\">other"));
 }

@@ -27,8 +27,20 @@ TEST_CASE("etalon-scenes writes a file or standard output, with the same text", 
     CHECK(result.status == 0);
     CHECK(result.out + result.err == "");
     CHECK(folder.read("t.p3f") == family_text("tetra", 2));
-    CHECK_FALSE(folder.has("t.p3f.part"));
     CHECK(generate(folder, "tetra --size 2 -o -").out == folder.read("t.p3f"));
+}
+
+TEST_CASE("etalon-scenes leaves other files alone, and nothing behind at a signal", "[scenes]") {
+    const Folder folder;
+    folder.write("t.p3f.part", "keep");
+    CHECK(generate(folder, "tetra --size 1 -o t.p3f").status == 0);
+    CHECK(folder.read("t.p3f.part") == "keep");
+    const std::string large = "etalon-scenes soup --size 100000000 -o large.p3f";
+    for (const std::string signal : {"INT", "TERM"}) {
+        const auto r = interrupted(folder, large, has_worked(20), signal);
+        CHECK(r.status == (signal == "INT" ? 130 : 143));
+        CHECK(folder.shell("ls -A | grep -c -e large -e tmp").out == "0\n");
+    }
 }
 
 TEST_CASE("etalon-scenes writes through symbolic links, also to nothing yet", "[scenes]") {
