@@ -27,13 +27,15 @@ Fault parse_numbers(const std::string& line, std::vector<Number>& numbers) {
     constexpr const char* blanks = " \t\r";
     const std::string text = line.substr(0, line.find('#'));
     const char* at = text.c_str();
+    const char* const last = at + text.size();  // beyond a NUL within the line
     while (true) {
         at += std::strspn(at, blanks);
-        if (*at == 0) return {};
+        if (at == last) return {};
         const int column = static_cast<int>(at - text.c_str()) + 1;
         char* end = nullptr;
         numbers.push_back({std::strtod(at, &end), column});  // decimal and hexadecimal floats
-        if (end == at || (*end != 0 && std::strchr(blanks, *end) == nullptr)) {
+        const bool is_over = end == last || (*end != 0 && std::strchr(blanks, *end) != nullptr);
+        if (end == at || !is_over) {
             return {column, "not a number"};
         }
         at = end;

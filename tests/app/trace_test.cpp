@@ -45,4 +45,10 @@ TEST_CASE("trace reports the position of an error in a file of rays", "[app]") {
         CHECK_THAT(r.err, ContainsSubstring(std::string("bad.txt") + error));
     }
     CHECK(f.etalon("trace ball.p3f --rays bad.txt -o no/such/hits.txt").status == 4);
+    for (const std::string after : {"", "5 6"}) {
+        f.write("bad.txt", "0 0 5 0 0 -1 " + std::string(1, '\0') + after + "\n");
+        const auto nul = f.etalon("trace ball.p3f --rays bad.txt");
+        CHECK(nul.status == 3);
+        CHECK_THAT(nul.err, ContainsSubstring(":1:14: error: not a number"));
+    }
 }
