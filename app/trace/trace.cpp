@@ -5,6 +5,8 @@
 #include "app/common/exit_status.h"
 #include "app/common/hit_text.h"
 #include "app/common/output.h"
+#include "app/common/progress.h"
+#include "app/common/signals.h"
 #include "app/replaced_images.h"
 #include "app/scene_arguments.h"
 #include "app/subcommands.h"
@@ -25,6 +27,22 @@ std::string describe(const Scene& scene, const Ray& ray, const std::optional<Hit
     const Vec3 n = surface_at(scene.geometry, ray, *hit).normal;
     return fmt::format("{} {:.17g} {:.17g} {:.17g}\n", hit_text(scene.geometry, *hit), n.x, n.y,
                        n.z);
+}
+
+/// Returns a line for each ray, until a stop. `name` is that of the rays.
+std::string hits_of(const std::vector<Ray>& rays, const Scene& scene,
+                    const Intersector& intersector, const std::string& name,
+                    const std::atomic<bool>& stop) {
+    constexpr std::size_t often = 1024;
+    Progress progress(name);
+    std::string text;
+    for (std::size_t i = 0; i < rays.size() && !stop; ++i) {
+        text += describe(scene, rays[i], intersector.closest(rays[i]));
+        if (i % often == 0) {
+            progress.update(static_cast<double>(i) / static_cast<double>(rays.size()));
+        }
+    }
+    return text;
 }
 
 /// Reports problems with the files of the arguments; returns the exit status.
@@ -55,9 +73,10 @@ int trace(const TraceArguments& a) {
     if (!a.backend.empty()) loaded.settings.backend = a.backend;
     const auto intersector = chosen_backend(loaded.settings).build(scene.geometry);
     if (!intersector) return exit_unusable;
-    std::string text;
-    for (const Ray& ray : rays.value) text += describe(scene, ray, intersector->closest(ray));
-    return write_text(a.output, text) ? exit_done : exit_not_written;
+    const SignalGuard signals;
+    const std::string hits = hits_of(rays.value, scene, *intersector, a.rays, signals.raised());
+    if (!write_text(a.output, hits)) return exit_not_written;
+    return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
 }
 
 }  // namespace

@@ -52,3 +52,20 @@ TEST_CASE("trace reports the position of an error in a file of rays", "[app]") {
         CHECK_THAT(nul.err, ContainsSubstring(":1:14: error: not a number"));
     }
 }
+
+TEST_CASE("An interrupted trace writes the hits until then", "[app]") {
+    const Folder f;
+    constexpr int count = 20'000;
+    std::string scene = small_scene, rays;
+    for (int i = 0; i < 10'000; ++i) scene += "s 0 0 -9 0.1\n";
+    for (int i = 0; i < count; ++i) rays += "0 0 5 0 0 -1\n";
+    f.write("balls.p3f", scene);
+    f.write("rays.txt", rays);
+    const auto r = interrupted(f, "etalon trace balls.p3f --rays rays.txt -b none -o hits.txt",
+                               has_worked(40));
+    CHECK(r.status == 130);
+    const std::string hits = f.read("hits.txt"), hit = "hit 4 sphere 1 0 0 1\n";
+    CHECK(hits.size() > hit.size());
+    CHECK(hits.size() < count * hit.size());
+    CHECK(hits.size() % hit.size() == 0);
+}
