@@ -184,6 +184,8 @@ void check_renders(Comparison& c, const Programs& run) {
     }
     const std::string compare = "etalon-compare---json";
     c.check(compare, run("etalon compare a.exr a.exr --json -", "-"));
+    REQUIRE(run.folder().etalon("render G --spp 1 --crop 0,0,8,8 -q -o crop.exr").status == 0);
+    c.check(compare, run("etalon compare crop.exr a.exr --json -", "-"));
     c.check(compare, run("etalon compare infinite.pfm black.pfm --json -", "-"));
     c.check(compare, run("etalon compare black.pfm infinite.pfm --json -", "-"));
 }
