@@ -11,6 +11,7 @@
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/program_facts.h"
 #include "app/common/started_rank.h"
 #include "core/base/link_target.h"
 #include "core/image/atomic_file.h"
@@ -111,7 +112,7 @@ std::string check_image_to_standard_output() {
 bool write_text(const std::string& path, const std::string& text) {
     if (path == "-") return write_result(text);
     const std::string error = write_file_atomically(path, text);
-    if (!error.empty()) print_message("etalon: error: {}\n", error);
+    if (!error.empty()) print_message("{}: error: {}\n", program_name(), error);
     return error.empty();
 }
 

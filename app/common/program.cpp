@@ -143,6 +143,7 @@ int guarded(const ProgramText& text, const Task& task) {
 /// Runs a program and returns its exit status.
 template <class Task>
 int run_prepared(const ProgramText& text, int argc, char** argv, const Task& task) {
+    note_program_name(text.name);
     note_command_line(argc, argv);
     prepare_standard_streams();
     keep_freed_memory();

@@ -6,6 +6,11 @@ extern const char* const etalon_commit;
 
 namespace {
 
+std::string& noted_program_name() {
+    static std::string name = "etalon";
+    return name;
+}
+
 std::string& noted_command_line() {
     static std::string text;
     return text;
@@ -30,6 +35,14 @@ std::string quoted(std::string_view word) {
 const BuildFacts& build_facts() {
     static const BuildFacts facts{ETALON_VERSION, etalon_commit, ETALON_COMPILER, ETALON_FLAGS};
     return facts;
+}
+
+void note_program_name(const std::string& name) {
+    noted_program_name() = name;
+}
+
+const std::string& program_name() {
+    return noted_program_name();
 }
 
 void note_command_line(int argc, char** argv) {

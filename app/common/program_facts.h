@@ -14,6 +14,13 @@ struct BuildFacts {
 };
 const BuildFacts& build_facts();
 
+/// Stores the name with which a program's messages begin. Must be called once, before threads
+/// start.
+void note_program_name(const std::string& name);
+
+/// Returns that name.
+const std::string& program_name();
+
 /// Stores the command line. Must be called once, before threads start.
 void note_command_line(int argc, char** argv);
 

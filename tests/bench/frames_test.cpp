@@ -116,6 +116,13 @@ TEST_CASE(
     check_ratios("grid,bvh", 0);
 }
 
+TEST_CASE("frames: given a file that cannot be written, then the message has the program's name") {
+    const Folder f;
+    const auto r = run_frames(f, "spheres:20 --width 20 --repeat 1 --json /dev/full");
+    CHECK(r.status == 4);
+    CHECK_THAT(r.err, ContainsSubstring("etalon-bench: error: /dev/full: cannot be written"));
+}
+
 TEST_CASE("frames: given no folder for temporary files, then it ends before it measures") {
     const Folder f;
     for (const char* folder : {"/nonexistent", "/proc"}) {
