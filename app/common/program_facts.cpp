@@ -16,7 +16,9 @@ std::string& noted_command_line() {
     return text;
 }
 
-std::string quoted(std::string_view word) {
+}  // namespace
+
+std::string shell_quoted(std::string_view word) {
     constexpr std::string_view plain =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_@%+=:,./-";
     if (!word.empty() && word.find_first_not_of(plain) == std::string_view::npos) {
@@ -29,8 +31,6 @@ std::string quoted(std::string_view word) {
     }
     return text += '\'';
 }
-
-}  // namespace
 
 const BuildFacts& build_facts() {
     static const BuildFacts facts{ETALON_VERSION, etalon_commit, ETALON_COMPILER, ETALON_FLAGS};
@@ -49,7 +49,7 @@ void note_command_line(int argc, char** argv) {
     std::string& text = noted_command_line();
     for (int i = 0; i < argc; ++i) {
         if (i > 0) text += ' ';
-        text += quoted(argv[i]);
+        text += shell_quoted(argv[i]);
     }
 }
 

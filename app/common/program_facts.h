@@ -14,6 +14,9 @@ struct BuildFacts {
 };
 const BuildFacts& build_facts();
 
+/// Returns a word of a command line, in quotes if a POSIX shell needs them.
+std::string shell_quoted(std::string_view word);
+
 /// Stores the name with which a program's messages begin. Must be called once, before threads
 /// start.
 void note_program_name(const std::string& name);

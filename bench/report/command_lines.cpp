@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/common/program_facts.h"
 #include "bench/speed/figures.h"
 
 namespace etalon::bench_report {
@@ -24,12 +25,13 @@ std::vector<std::string> asked(const speed::Plan& plan) {
 std::string command_of(const Settings& settings) {
     std::string scenes;
     for (const FrameRequest& f : settings.frames) {
-        if (f.origin == FrameOrigin::given) scenes += " " + f.scene;
+        if (f.origin == FrameOrigin::given) scenes += " " + shell_quoted(f.scene);
     }
     const std::string foreign =
-        settings.foreign_table.empty() ? "" : " --foreign " + settings.foreign_table;
-    return fmt::format("build/bin/etalon-bench report{}{}{} -o report",
-                       settings.name == "quick" ? " --quick" : "", foreign, scenes);
+        settings.foreign_table.empty() ? "" : " --foreign " + shell_quoted(settings.foreign_table);
+    return fmt::format("build/bin/etalon-bench report{}{}{} -o {}",
+                       settings.name == "quick" ? " --quick" : "", foreign, scenes,
+                       shell_quoted(settings.folder));
 }
 
 std::string speed_command(const Settings& settings, const std::string& scene) {
@@ -89,8 +91,8 @@ std::string frames_command(const Settings& settings, FrameOrigin origin) {
             made += fmt::format("build/bin/etalon-scenes {0} --size {1} -o {0}.p3f && ", f.scene,
                                 f.size);
         }
-        scenes += fmt::format(" {}{}{}", origin == FrameOrigin::shipped ? "scenes/" : "", f.scene,
-                              is_family ? ".p3f" : "");
+        scenes += " " + shell_quoted((origin == FrameOrigin::shipped ? "scenes/" : "") + f.scene +
+                                     (is_family ? ".p3f" : ""));
         size = (f.width > 0 ? fmt::format(" --width {}", f.width) : "") +
                (f.samples > 0 ? fmt::format(" --spp {}", f.samples) : "");
     }
@@ -120,7 +122,7 @@ std::string foreign_command(const Settings& settings) {
     return fmt::format(
         "build/bin/etalon-bench convergence SCENE --foreign {} --samplers sobol --spp {} --seeds "
         "{}",
-        settings.foreign_table, settings.foreign_samples, settings.foreign_seeds);
+        shell_quoted(settings.foreign_table), settings.foreign_samples, settings.foreign_seeds);
 }
 
 }  // namespace etalon::bench_report

@@ -45,9 +45,9 @@ Results nothing_yet(const Settings& settings) {
 /// up to date whenever the run ends.
 class Report {
   public:
-    Report(const std::string& folder, const Settings& settings)
-        : folder_(folder),
-          path_((std::filesystem::path(folder) / "index.html").string()),
+    explicit Report(const Settings& settings)
+        : folder_(settings.folder),
+          path_((std::filesystem::path(folder_) / "index.html").string()),
           results_(nothing_yet(settings)),
           deadline_(results_.settings.seconds_limit),
           tasks_(all_tasks(results_.settings)),
@@ -123,6 +123,7 @@ class Report {
 
 int write_report(const ReportArguments& a) {
     Settings settings = a.quick ? quick_settings() : full_settings();
+    settings.folder = a.folder;
     if (const std::string complaint = add_frames(a.scenes, settings); !complaint.empty()) {
         print_message("etalon-bench: error: {}\n", complaint);
         return exit_unusable;
@@ -138,7 +139,7 @@ int write_report(const ReportArguments& a) {
         print_message("etalon-bench: error: {}: {}\n", a.folder, error.message());
         return exit_not_written;
     }
-    return Report(a.folder, settings).run();
+    return Report(settings).run();
 }
 
 }  // namespace

@@ -50,8 +50,9 @@ struct ForeignRequest {
 double microseconds_of_sample(const std::string& scene);
 
 struct Settings {
-    std::string name;          ///< "quick" or "full"
-    double seconds_limit = 0;  ///< wall time after which the rest is left out; 0 is no limit
+    std::string name;               ///< "quick" or "full"
+    std::string folder = "report";  ///< of the page
+    double seconds_limit = 0;       ///< wall time after which the rest is left out; 0 is no limit
 
     std::vector<std::string> speed_scenes;
     speed::Plan plan;

@@ -80,6 +80,20 @@ TEST_CASE("A report's frame ends when the time is up, without figures") {
     CHECK(results.frames.list.empty());
 }
 
+TEST_CASE("The command lines of a report are those of a shell, with its folder") {
+    const Folder f;
+    f.write("a<b>&.p3f", small_scene);
+    Settings settings = quick_settings();
+    settings.folder = "my report";
+    settings.foreign_table = "other's.tsv";
+    REQUIRE(add_frames({f.path("a<b>&.p3f")}, settings).empty());
+    const std::string scene = " '" + f.path("a<b>&.p3f") + "' ";
+    CHECK_THAT(command_of(settings), ContainsSubstring(scene) &&
+                                         ContainsSubstring("--foreign 'other'\\''s.tsv' ") &&
+                                         ContainsSubstring(" -o 'my report'"));
+    CHECK_THAT(frames_command(settings, FrameOrigin::given), ContainsSubstring(scene));
+}
+
 TEST_CASE("A report has more time if it is given scenes") {
     const Folder f;
     f.write("a.p3f", small_scene);
