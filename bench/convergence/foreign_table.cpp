@@ -15,6 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Some programs begin UTF-8 text with it.
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 /// Text between two tabs, and the column in which it begins.
 struct Field {
     std::string text;
@@ -56,9 +59,12 @@ ReadField number(double ForeignImage::*member) {
 }
 
 ReadField pixels(int Imath::V2i::*side) {
-    return number(1, "a number of pixels", [=](ForeignImage& image, double value) {
-        image.size.*side = static_cast<int>(std::min(value, 1e9));
-    });
+    return [=](const std::string& text, ForeignImage& image) -> std::string {
+        int& count = image.size.*side;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+        const bool is_whole = error == std::errc() && end == text.data() + text.size();
+        return is_whole && count >= 1 ? "" : "a number of pixels";
+    };
 }
 
 ReadField text(std::string ForeignImage::*member) {
@@ -117,6 +123,11 @@ class Reader {
                                 fmt::format("column \"{}\"; expected tabs between some of:{}",
                                             field.text, names));
             }
+            if (std::ranges::find(columns_, found) != columns_.end()) {
+                return error_at(field.column, fmt::format("column \"{}\" is there twice; expected "
+                                                          "it once",
+                                                          field.text));
+            }
             columns_.push_back(found);
         }
         return {};
@@ -170,7 +181,9 @@ Result<std::vector<ForeignImage>> read_foreign_table(const std::string& path) {
     std::ifstream file(path);
     if (!file) return {{}, path + ": error: cannot be read"};
     Reader reader(path);
-    for (std::string line; std::getline(file, line);) {
+    bool is_first = true;
+    for (std::string line; std::getline(file, line); is_first = false) {
+        if (is_first && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
         if (line.ends_with('\r')) line.pop_back();
         if (std::string error = reader.add(line); !error.empty()) return {{}, std::move(error)};
     }

@@ -61,6 +61,14 @@ TEST_CASE("A table has the columns that its heading names, in any order") {
     CHECK(scenes_of(table.value) == std::vector<std::string>{f.path("x/a.pbrt")});
 }
 
+TEST_CASE("A table may begin with a byte order mark") {
+    const Folder f;
+    const auto table = table_in(f, "\xEF\xBB\xBFwidth\tcpu_s\trelmse\n60\t1\t0.25\n");
+    CHECK(table.error.empty());
+    REQUIRE(table.value.size() == 1);
+    CHECK(table.value[0].size.x == 60);
+}
+
 TEST_CASE("What is wrong with a table is said with line and column") {
     const Folder f;
     const auto error = [&](const std::string& text) {
@@ -76,6 +84,13 @@ TEST_CASE("What is wrong with a table is said with line and column") {
     CHECK_THAT(error("relmse\tcpu_s\n0.1\t-\n"), ContainsSubstring(":2:1: error: no cpu_s"));
     CHECK_THAT(error("cpu_s\n1\n"), ContainsSubstring("either an image or its relmse"));
     CHECK_THAT(error("cpu_s\timage\trelmse\n1\ta\t1\n"), ContainsSubstring("either an image"));
+    CHECK_THAT(error("cpu_s\trelmse\tcpu_s\n"),
+               ContainsSubstring(":1:14: error: column \"cpu_s\" is there twice"));
+    for (const std::string wrong : {"0", "-1", "60.7", "1e2", "99999999999"}) {
+        INFO(wrong);
+        CHECK_THAT(error("width\tcpu_s\n" + wrong + "\t1\n"),
+                   ContainsSubstring("expected a number of pixels"));
+    }
     CHECK_THAT(error("cpu_s\trelmse\n"), ContainsSubstring("no images in it"));
     CHECK_THAT(error(""), ContainsSubstring("no images in it"));
     CHECK_THAT(read_foreign_table(f.path("none.tsv")).error, ContainsSubstring("cannot be read"));
