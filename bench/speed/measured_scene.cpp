@@ -20,7 +20,7 @@ std::string shape_of(const Geometry& geometry) {
     std::array<std::size_t, shape_kinds> counts{};
     for (const Primitive p : geometry.primitives) ++counts[p.kind];
     const auto most = std::ranges::max_element(counts);
-    const bool is_nearly_all = 10 * *most >= 9 * geometry.primitives.size();
+    const bool is_nearly_all = *most > 0 && 10 * *most >= 9 * geometry.primitives.size();
     return is_nearly_all ? std::string(kind_name(static_cast<ShapeKind>(most - counts.begin())))
                          : "mixed";
 }

@@ -76,17 +76,40 @@ std::string legend_of(const SpeedArguments& a) {
     return legend.text();
 }
 
+/// Names the tracers that are Etalon's own kernels in disguise for this scene: comparisons with
+/// them say nothing about Embree's.
+void note_borrowed_kernels(const SpeedArguments& a, const Geometry& geometry) {
+    for (const std::string& name : a.plan().tracers) {
+        const Backend& backend = find_tracer(name);
+        if (!backend.has_own_kernels || backend.has_own_kernels(geometry)) continue;
+        write_table(a.json, fmt::format("{} has no kernels for these shapes: it calls Etalon's\n",
+                                        backend.name));
+    }
+}
+
+/// Names the kinds of rays that were asked for and of which the scene has none.
+void note_missing_kinds(const SpeedArguments& a, const SceneFigures& figures) {
+    for (const std::string& kind : a.plan().kinds) {
+        if (std::ranges::find(figures.kinds, kind, &KindFigures::kind) != figures.kinds.end()) {
+            continue;
+        }
+        write_table(a.json, fmt::format("no {} rays: no surface or no light\n", kind));
+    }
+}
+
 SceneFigures measure(const SpeedArguments& a, const std::string& name, Scene scene,
                      const Imath::V2i& resolution, const std::atomic<bool>& stop) {
     constexpr int name_width = 70;
     write_table(a.json, fmt::format("{}: {} primitives\n", shortened(name, name_width),
                                     scene.geometry.item_count()));
+    note_borrowed_kernels(a, scene.geometry);
     const auto show = [&](const SceneFigures& figures) {
         write_table(a.json, table_of(figures, a.detail()));
     };
     const auto is_over = [&] { return stop.load(); };
     SceneFigures figures =
         measure_scene(name, std::move(scene), resolution, a.plan(), {show, is_over});
+    if (!is_over()) note_missing_kinds(a, figures);
     write_table(a.json, (figures.kinds.empty() ? "" : table_of_means(figures)) + "\n");
     return figures;
 }

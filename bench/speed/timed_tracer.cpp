@@ -58,8 +58,9 @@ std::vector<BuildFigures> measure_builds(std::vector<Tracer>& tracers, const Sce
         const Intersector& built = *tracers[i].intersector;
         all[i].tracer = tracers[i].name();
         all[i].isa = built.isa();
-        all[i].bytes_per_primitive = static_cast<double>(built.memory_bytes()) /
-                                     static_cast<double>(scene.geometry.item_count());
+        const std::size_t count = std::max<std::size_t>(scene.geometry.item_count(), 1);
+        all[i].bytes_per_primitive =
+            static_cast<double>(built.memory_bytes()) / static_cast<double>(count);
     }
     compare_with_baselines(all);
     return all;

@@ -141,6 +141,30 @@ TEST_CASE("speed leaves standard output to JSON where that is asked for") {
     CHECK_THAT(r.err, ContainsSubstring("camera bvh"));
 }
 
+TEST_CASE("speed: given a scene without shapes, then it says which rays it lacks, and no NaN") {
+    const Folder f;
+    f.write("nothing.p3f",
+            "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0.01\n"
+            "resolution 16 16\n");
+    const auto r = speed(f,
+                         "--scene nothing.p3f --repeat 1 --max-rays 50 --oracle 0.01 "
+                         "--backends bvh --rays camera,shadow --json s.json");
+    REQUIRE(r.status == 0);
+    CHECK_THAT(r.out, !ContainsSubstring("nan") && ContainsSubstring("no shadow rays") &&
+                          !ContainsSubstring("no camera rays"));
+    const json scene = json::parse(f.read("s.json"))["scenes"][0];
+    CHECK(scene["shape"] == "mixed");
+    CHECK(scene["build"]["bvh"]["bytes_per_primitive"].is_number());
+}
+
+TEST_CASE("speed: given shapes that Embree's baseline has not, then it says so") {
+    const Folder f;
+    const std::string run = " --repeat 1 --max-rays 50 --oracle 0.01 --backends bvh --rays camera";
+    const std::string note = "embree-builtin has no kernels for these shapes";
+    CHECK_THAT(speed(f, "--scene hair:20" + run).out, ContainsSubstring(note));
+    CHECK_THAT(speed(f, "--scene spheres:20" + run).out, !ContainsSubstring(note));
+}
+
 TEST_CASE("speed: given a scene that cannot be read, then those before it are written") {
     const Folder f;
     f.write("bad.p3f", "nonsense\n");
