@@ -10,15 +10,23 @@
 namespace etalon {
 namespace {
 
-/// Returns the t from which a ray is tested. Rounded to floats, a surface is off by about u (1 +
-/// |o|) in normalized space (0.6 of that was seen), so a ray that leaves it at an angle meets it
-/// again before t = u (1 + |o|) / cosine. The margin clears all rays except those within 1/128 of
-/// tangent, and loses contacts nearer than 1e-5 of the scene's size. Slivers are off by more.
-float first_t(const NormalizedRay& ray, double tmin) {
-    constexpr float margin = 128 * unit_roundoff_f;
+/// Returns by how much a ray is shortened at each end. Rounded to floats, a surface is off by about
+/// u (1 + |o|) in normalized space (0.6 of that was seen), so a ray that leaves it at an angle
+/// meets it again before t = u (1 + |o|) / cosine, and one that ends before it may meet it, as
+/// shadow rays do at a light. The margin clears all rays except those within 1/128 of tangent, and
+/// loses contacts nearer than 1e-5 of the scene's size. Slivers are off by more.
+float margin(const NormalizedRay& ray) {
+    constexpr float factor = 128 * unit_roundoff_f;
     const Vec3f& o = ray.origin;
-    const float size = 1 + std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)});
-    return ray.tmin(tmin) + margin * size;
+    return factor * (1 + std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}));
+}
+
+float first_t(const NormalizedRay& ray, double tmin) {
+    return ray.tmin(tmin) + margin(ray);
+}
+
+float last_t(const NormalizedRay& ray, double tmax) {
+    return ray.tmax(tmax) - margin(ray);
 }
 
 constexpr unsigned first_shape = UserPrimitives::geometries;
@@ -132,7 +140,8 @@ std::size_t EmbreeBuiltin::own_bytes() const {
 void EmbreeBuiltin::closest_bounded(const RayQuery& query, const NormalizedRay& local,
                                     NearestHit& nearest) const {
     RTCRayHit ray;
-    set_ray(ray.ray, local, first_t(local, query.ray.tmin), local.tmax(nearest.t));
+    set_ray(ray.ray, local, first_t(local, query.ray.tmin),
+            std::min(last_t(local, query.ray.tmax), local.tmax(nearest.t)));
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     if (others_.empty()) {
         embree_intersect(embree_scene_.get(), ray);
@@ -152,7 +161,7 @@ void EmbreeBuiltin::closest_bounded(const RayQuery& query, const NormalizedRay& 
 }
 
 bool EmbreeBuiltin::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {
-    const float tfar = local.tmax(query.ray.tmax);
+    const float tfar = last_t(local, query.ray.tmax);
     if (tfar < 0) return false;  // Embree reports a hit by a negative tfar
     RTCRay ray;
     set_ray(ray, local, first_t(local, query.ray.tmin), tfar);

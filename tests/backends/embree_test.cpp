@@ -133,6 +133,26 @@ TEST_CASE("Given rays of moderate length, Embree's own shapes hit nearly what th
     }
 }
 
+TEST_CASE("Given shadow rays to a light with a shape, Embree's own does not occlude itself",
+          "[backends][embree]") {
+    Scene scene;
+    scene.geometry.add(Sphere{{5, 6, 7}, 0.5}, 0);
+    scene.geometry.add(Box{{-9, -9, -9}, {9, 9, -8}}, 0);
+    const auto floats = backend_named("embree-builtin").build(scene.geometry);
+    Random random(11);
+    int occluded = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3 from(random.uniform(-9, 9), random.uniform(-9, 9), -8);
+        const Vec3 outward = random.direction(), to = Vec3(5, 6, 7) + 0.5 * outward;
+        if (outward.dot(normalized(from - to)) < 0.1) continue;  // hidden, or nearly
+        Ray ray{from, to - from};
+        ray.tmin = 1e-3;
+        ray.tmax = 1 - 0x1p-32;  // as all shadow rays
+        occluded += floats->occluded(ray) ? 1 : 0;
+    }
+    CHECK(occluded == 0);
+}
+
 TEST_CASE("Given instances, Embree's own hit nearly what the kernels hit", "[backends][embree]") {
     for (const bool has_solids : {false, true}) {
         const Scene scene = scene_of_instances(has_solids);
