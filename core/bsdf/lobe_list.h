@@ -8,10 +8,10 @@
 
 namespace etalon {
 
-/// Up to sixteen lobes, which are summed: those of any two materials.
+/// Up to twelve lobes, which are summed: those of any two materials.
 class LobeList {
   public:
-    static constexpr std::size_t capacity = 16;
+    static constexpr std::size_t capacity = 12;
 
     LobeList() {}
     LobeList(const LobeList& other) { *this = other; }
