@@ -182,7 +182,7 @@ TEST_CASE("shapes become what PBRT has for them") {
         "s 1 2 3 0.5\nc 0 0 0 1 0 0 2 1\nc 0 0 0 1 0 0 2 0\nc 0 0 0 0 0 0 2 1\nc 0 0 0 1 0 0 2 .5\n"
         "box 0 0 0 1 1 1\np 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\nmesh 3 1\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n"
         "pp 3\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\npl 0 0 0 1 0 0 0 1 0\n"));
-    CHECK(shape_types(list) == Strings{"sphere", "cylinder", "cone", "cone", "hyperboloid",
+    CHECK(shape_types(list) == Strings{"sphere", "cylinder", "cone", "cone", "trianglemesh",
                                        "trianglemesh", "trianglemesh", "trianglemesh",
                                        "trianglemesh", "trianglemesh"});
     CHECK(find(list, "Transform").numbers ==
@@ -199,6 +199,31 @@ TEST_CASE("shapes become what PBRT has for them") {
     const std::vector<double> place = find(disk, "Transform").numbers;
     CHECK(std::vector(place.begin() + 8, place.end()) ==
           std::vector<double>{0, 0, 1, 0, 1, 2, 3, 1});
+}
+
+TEST_CASE("a truncated cone becomes triangles whose corners lie on it, with its normals") {
+    const LoadResult before = load_objects("c 1 0 0 1.5 1 2 0 0.5\n");
+    const WrittenScene written = write_pbrt(*before.scene, before.settings, "");
+    REQUIRE(written.lost.size() == 1);
+    CHECK(written.lost[0].what == "truncated cone, now triangles");
+    const LoadResult after = load_scene_text(written.text, "cone.pbrt", {});
+    REQUIRE(after.scene);
+    const Geometry& mesh = after.scene->geometry;
+    REQUIRE(mesh.all<Triangle>().size() == 96);
+    std::size_t at_base = 0;
+    for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+        const Triangle t = mesh.get<Triangle>(mesh.primitives[i]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 p = mesh.vertex(t.vertices[k]);
+            const double radius = std::hypot(p.x - 1, p.z);
+            CHECK(radius == Approx(1.5 - p.y / 2));
+            const Vec3 n = mesh.normals[Geometry::normal_number(t, k)];
+            const Vec3 outward((p.x - 1) / radius, 0.5, p.z / radius);
+            CHECK(n.dot(outward) == Approx(std::sqrt(n.dot(n) * outward.dot(outward))));
+            if (p.y == 0) ++at_base;
+        }
+    }
+    CHECK(at_base == 144);
 }
 
 TEST_CASE("materials become the nearest of PBRT's") {

@@ -91,6 +91,21 @@ void to_facets(const ClosedCylinder& shape, const FacetSink& take) {
     out.flat(top);
 }
 
+void to_facets(const Cone& cone, const FacetSink& take) {
+    const Vec3 axis = cone.top - cone.base;
+    const double height = std::sqrt(axis.dot(axis));
+    const Affine place = about_axis(cone.base, axis);
+    const Facets out(place, take);
+    const Vec3 up(0, 0, height), lean(0, 0, (cone.base_radius - cone.top_radius) / height);
+    for (int step = 0; step < around; ++step) {
+        const Vec3 a = on_circle(step), b = on_circle(step + 1);
+        out.smooth({{cone.base_radius * a, a + lean},
+                    {cone.base_radius * b, b + lean},
+                    {cone.top_radius * b + up, b + lean},
+                    {cone.top_radius * a + up, a + lean}});
+    }
+}
+
 void to_facets(const Ring& ring, const FacetSink& take) {
     const Affine place = about_axis(ring.centre, ring.normal);
     const Facets out(place, take);

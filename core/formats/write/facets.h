@@ -18,6 +18,9 @@ void to_facets(const Ellipsoid& shape, const FacetSink& take);
 /// Makes 48 facets around, and two caps of 48 corners.
 void to_facets(const ClosedCylinder& shape, const FacetSink& take);
 
+/// Makes 48 facets around; the radii must be positive.
+void to_facets(const Cone& shape, const FacetSink& take);
+
 /// Makes 48 facets, facing the direction of the normal; none if the ring has no width.
 void to_facets(const Ring& ring, const FacetSink& take);
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/formats/triangulation.h"
+#include "core/formats/write/facets.h"
 #include "core/formats/write/pbrt_shapes.h"
 #include "core/numerics/transforms.h"
 
@@ -93,10 +94,24 @@ void PbrtShapeWriter::write(const Cone& c) {
     } else if (c.base_radius == 0) {
         write(Cone{c.top, c.base, c.top_radius, 0});
     } else {
-        placed(map, fmt::format("Shape \"hyperboloid\" \"point p1\" [ {} 0 0 ] "
-                                "\"point p2\" [ {} 0 {} ]",
-                                c.base_radius, c.top_radius, height));
+        lost_.add("truncated cone, now triangles");
+        write_facets(c);
     }
+}
+
+/// Writes smooth facets of four corners as one mesh: PBRT's hyperboloid lies on both sides of its
+/// waist and cannot be a cone without its apex.
+void PbrtShapeWriter::write_facets(const Cone& cone) {
+    std::vector<Vec3> vertices, normals;
+    std::vector<std::array<std::uint32_t, 3>> faces;
+    to_facets(cone, [&](std::span<const Vec3> corners, std::span<const Vec3> corner_normals) {
+        const auto first = static_cast<std::uint32_t>(vertices.size());
+        vertices.insert(vertices.end(), corners.begin(), corners.end());
+        normals.insert(normals.end(), corner_normals.begin(), corner_normals.end());
+        faces.push_back({first, first + 1, first + 2});
+        faces.push_back({first, first + 2, first + 3});
+    });
+    mesh(vertices, normals, faces);
 }
 
 void PbrtShapeWriter::write(const Box& b) {

@@ -45,6 +45,7 @@ class PbrtShapeWriter {
     void write(const Box& b);
     void write(const Polygon& p);
     void write(const Plane& p);
+    void write_facets(const Cone& cone);
 
     LineWriter& out_;
     ConversionWarnings& lost_;
