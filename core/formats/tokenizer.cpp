@@ -3,6 +3,13 @@
 #include <algorithm>
 
 namespace etalon {
+namespace {
+
+const char* end_of_line(const char* p, const char* last) {
+    return std::find_if(p, last, [](char c) { return c == '\n' || c == '\r'; });
+}
+
+}  // namespace
 
 Tokenizer::Tokenizer(std::string_view text)
     : first_(text.data()), cursor_(first_), last_(first_ + text.size()) {
@@ -29,14 +36,14 @@ std::string_view Tokenizer::next() {
 
 Tokenizer Tokenizer::take_line() {
     Tokenizer line = *this;
-    line.last_ = std::find(cursor_, last_, '\n');
+    line.last_ = end_of_line(cursor_, last_);
     move_to(line.last_);
     return line;
 }
 
 void Tokenizer::skip_comments() {
     while (cursor_ != last_ && *cursor_ == '#') {
-        cursor_ = std::find(cursor_, last_, '\n');
+        cursor_ = end_of_line(cursor_, last_);
         while (cursor_ != last_ && is_blank(*cursor_)) ++cursor_;
     }
 }

@@ -1,4 +1,4 @@
-// The words of a scene file: anything between blanks, tabs and line ends (LF or CRLF), with
+// The words of a scene file: anything between blanks, tabs and line ends (LF, CRLF or CR), with
 // comments from '#' to the end of the line, anywhere.
 #pragma once
 

@@ -112,6 +112,29 @@ std::string everything(const std::string& encoding, Sample& sample) {
 
 }  // namespace
 
+TEST_CASE("lines of a PLY header may end with CR alone, also before bytes that are line feeds") {
+    for (const std::string& encoding : ply_encodings) {
+        CAPTURE(encoding);
+        std::string text = square(encoding);
+        const std::size_t header = text.find("end_header\n") + 11;
+        std::replace(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(header), '\n', '\r');
+        const Read r = read(text);
+        CHECK(r.messages.empty());
+        REQUIRE(r.mesh);
+        CHECK(list(r.mesh->positions) == square_positions);
+    }
+    PlyText out("binary_little_endian", "element vertex 3\n" + xyz + "element face 1\n" + corners);
+    const float line_feeds = std::bit_cast<float>(0x0A0A0A0AU);
+    out << line_feeds << 0.0F << 0.0F << 1.0F << 0.0F << 0.0F << 0.0F << 1.0F << 0.0F;
+    out << std::uint8_t{3} << 0 << 1 << 2;
+    std::string text = out.text();
+    const std::size_t header = text.find("end_header\n") + 11;
+    std::replace(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(header), '\n', '\r');
+    const Read r = read(text);
+    REQUIRE(r.mesh);
+    CHECK(list(r.mesh->positions)[0] == line_feeds);
+}
+
 TEST_CASE("vertices and triangles of a PLY file are read in every encoding") {
     for (const std::string& encoding : ply_encodings) {
         CAPTURE(encoding);

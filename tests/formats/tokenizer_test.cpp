@@ -29,6 +29,7 @@ TEST_CASE("words are separated by any blanks and line ends") {
 
 TEST_CASE("a comment runs from # to the end of the line, wherever it starts") {
     CHECK(words("#one\ns 1 # two\r\n##three\n#\n2#four\n3 #") == Words{"s", "1", "2", "3"});
+    CHECK(words("#one\rs 1 # two\r##three\r#\r2#four\r3 #") == Words{"s", "1", "2", "3"});
 }
 
 TEST_CASE("a line can be taken by itself") {
@@ -44,6 +45,18 @@ TEST_CASE("a line can be taken by itself") {
     CHECK(line.offset() == 23);
     CHECK(t.at_end());
     CHECK(t.take_line().at_end());
+}
+
+TEST_CASE("a line may end with LF, CRLF or CR") {
+    for (const char* text : {"a 1\nb\n", "a 1\r\nb\r\n", "a 1\rb\r"}) {
+        Tokenizer t(text);
+        Tokenizer line = t.take_line();
+        CHECK(line.next() == "a");
+        CHECK(line.next() == "1");
+        CHECK(line.at_end());
+        CHECK(t.take_line().peek() == "b");
+        CHECK(t.at_end());
+    }
 }
 
 TEST_CASE("a byte order mark at the start is no word") {

@@ -47,7 +47,8 @@ class Line {
 
 class HeaderReader {
   public:
-    HeaderReader(std::string_view bytes, DiagnosticLog& log) : bytes_(bytes), log_(log) {}
+    HeaderReader(std::string_view bytes, DiagnosticLog& log)
+        : bytes_(bytes), log_(log), line_end_(line_end_of(bytes)) {}
 
     std::optional<Header> read() {
         if (Line(take_line()).next() != "ply") {
@@ -61,9 +62,16 @@ class HeaderReader {
     }
 
   private:
+    /// Returns CR if the first line ends with it alone, else LF, before which a CR is a blank.
+    static char line_end_of(std::string_view bytes) {
+        const std::size_t end = std::min(bytes.find_first_of("\r\n"), bytes.size());
+        const std::string_view rest = bytes.substr(end);
+        return rest.starts_with('\r') && !rest.starts_with("\r\n") ? '\r' : '\n';
+    }
+
     std::string_view take_line() {
         line_ = next_;
-        const std::size_t end = bytes_.find('\n', line_);
+        const std::size_t end = bytes_.find(line_end_, line_);
         next_ = end == bytes_.npos ? bytes_.size() : end + 1;
         return bytes_.substr(line_, next_ - line_ - (end == bytes_.npos ? 0 : 1));
     }
@@ -143,6 +151,7 @@ class HeaderReader {
 
     std::string_view bytes_;
     DiagnosticLog& log_;
+    char line_end_;
     std::size_t line_ = 0, next_ = 0;  ///< starts of the current line and of the next one
     bool good_ = true, ended_ = false;
     std::optional<Encoding> encoding_;
