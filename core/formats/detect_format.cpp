@@ -70,7 +70,24 @@ bool is_prt(const FormatProbe& o) {
 }
 
 bool is_sce(const FormatProbe& o) {
-    return shows(o, {{"sce1.0"}, {"eyepos", 3}, {"eyedir", 3}, {"fovy_deg", 1}});
+    return shows(o, {{"sce1.0"},
+                     {"eyepos", 3},
+                     {"eyedir", 3},
+                     {"fovy_deg", 1},
+                     {"nx", 1},
+                     {"ny", 1},
+                     {"max_recursion", 1},
+                     {"aasample", 1},
+                     {"ca", 3},
+                     {"cr", 3},
+                     {"cp", 3},
+                     {"ball", 4},
+                     {"cylinder", 0},
+                     {"triangle", 9},
+                     {"object_flat", 0},
+                     {"object_phong", 0},
+                     {"pointlight", 6},
+                     {"arealight", 4}});
 }
 
 /// Matches words that have no meaning in version 3. `"spectrum"` textures and `"point3"` parameters

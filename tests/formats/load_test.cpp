@@ -128,6 +128,18 @@ TEST_CASE("scenes of other formats are recognised and named") {
           looks_like("a Wavefront OBJ mesh"));
 }
 
+TEST_CASE("SCE is recognised by any of its statements that make an image") {
+    const std::string background = "background 1 1 1\n";
+    for (const char* statement :
+         {"nx 64", "max_recursion 2", "cr 1 0 0", "ball 1 0 0 -5", "cylinder",
+          "triangle 0 0 -5 1 0 -5 0 1 -5", "pointlight 0 0 0 1 1 1", "arealight 1 1 1 1",
+          "object_flat none.obj"}) {
+        CAPTURE(statement);
+        CHECK(format_of(background + statement + "\nend\n", "f", {}) == "sce");
+    }
+    CHECK(format_of(background + "resolution 4 4\nlight 0 0 0\n", "f", {}) == "prt");
+}
+
 TEST_CASE("a scene of another format is named by its extension where it shows nothing") {
     CHECK(foreign("s 0 0 0 1", "f.obj") ==
           "f.obj: error: this looks like a Wavefront OBJ mesh" + reads);
