@@ -27,6 +27,14 @@ bool shows(const FormatProbe& probe, std::initializer_list<Signature> signatures
     });
 }
 
+bool shows_in_turn(const FormatProbe& probe, std::string_view first, std::string_view second) {
+    const auto& list = probe.statements;
+    return std::adjacent_find(list.begin(), list.end(),
+                              [&](const Statement& a, const Statement& b) {
+                                  return a.word == first && b.word == second;
+                              }) != list.end();
+}
+
 }  // namespace
 
 FormatProbe::FormatProbe(std::string_view whole) : text(whole.substr(0, bytes_read)) {
@@ -94,7 +102,8 @@ bool is_sce(const FormatProbe& o) {
 /// are more frequent in version 4, but legal in version 3.
 bool is_pbrt_v4(const FormatProbe& o) {
     return is_pbrt(o) &&
-           shows(o, {{"ColorSpace"}, {"Option"}, {"Attribute"}, {"\"rgb\""}, {"\"zsobol\""}});
+           (shows(o, {{"ColorSpace"}, {"Option"}, {"Attribute"}}) ||
+            shows_in_turn(o, "Film", "\"rgb\"") || shows_in_turn(o, "Sampler", "\"zsobol\""));
 }
 
 bool is_pbrt(const FormatProbe& o) {

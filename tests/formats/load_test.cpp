@@ -140,6 +140,17 @@ TEST_CASE("SCE is recognised by any of its statements that make an image") {
     CHECK(format_of(background + "resolution 4 4\nlight 0 0 0\n", "f", {}) == "prt");
 }
 
+TEST_CASE("names of version 4 tell a PBRT scene's version only in their place") {
+    const auto format = [](const std::string& options) {
+        return format_of(options + "\nWorldBegin\nWorldEnd\n", "f", {});
+    };
+    CHECK(format("MakeNamedMaterial \"rgb\" \"string type\" \"matte\"") == "pbrt");
+    CHECK(format("MakeNamedMedium \"zsobol\"") == "pbrt");
+    CHECK(foreign("Film \"rgb\"\nWorldBegin\n") == looks_like("a PBRT scene of version 4"));
+    CHECK(foreign("Sampler \"zsobol\" \"integer pixelsamples\" 4\nWorldBegin\n") ==
+          looks_like("a PBRT scene of version 4"));
+}
+
 TEST_CASE("a scene of another format is named by its extension where it shows nothing") {
     CHECK(foreign("s 0 0 0 1", "f.obj") ==
           "f.obj: error: this looks like a Wavefront OBJ mesh" + reads);
