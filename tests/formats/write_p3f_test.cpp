@@ -188,6 +188,15 @@ TEST_CASE("features that P3F cannot express are listed, each kind once") {
                                               "shape seen from its front only 1"});
 }
 
+TEST_CASE("the stretched pixels of a PRT camera are listed unless they are square all the same") {
+    const auto lost_at = [](const std::string& resolution) {
+        return lost(load_text("prt", "from 0 0 5 at 0 0 0 up 0 1 0 angle 40 resolution " +
+                                         resolution + "\nlight 0 9 9\n"));
+    };
+    CHECK(lost_at("40 40").empty());
+    CHECK(lost_at("40 30") == std::vector<std::string>{"pixels that are not square 1"});
+}
+
 TEST_CASE("ellipsoids and closed cylinders become polygons on their surface, facing out") {
     const Affine map = translation({1, 2, 3}) * rotation(30, {1, 2, 3}) * scaling({1, -2, 3});
     LoadResult r = load_objects("s 0 0 0 1\n");

@@ -53,7 +53,9 @@ class P3fScene {
             rules.fixed_bias != 0) {
             lost_.add("shading as an old program did it");
         }
-        if (scene_.camera.stretched) lost_.add("pixels that are not square");
+        if (scene_.camera.stretched && settings_.resolution.x != settings_.resolution.y) {
+            lost_.add("pixels that are not square");
+        }
         if (settings_.samples_per_pixel == 0 && settings_.pixel_rays != PixelRays::centre) {
             lost_.add("rays elsewhere than through the pixels' centres");
         }
