@@ -37,6 +37,12 @@ LookFacts facts_of(const PhysicalLook& look) {
     return facts;
 }
 
+/// Returns whether a shape has corner normals, also one of an object.
+bool has_normals(const Geometry& geometry) {
+    return !geometry.normals.empty() || geometry.all<Polygon>().have_normals() ||
+           std::ranges::any_of(geometry.objects, has_normals);
+}
+
 }  // namespace
 
 void LookFacts::count_light(std::string_view kind) {
@@ -51,8 +57,7 @@ LookFacts facts_of(const Scene& s, const RenderSettings& settings) {
                               : s.camera.aperture > 0;
     facts.need(has_lens && settings.samples_per_pixel > 0, "lens samples");
     facts.need(s.camera.sees_motion && settings.samples_per_pixel > 0, "time samples");
-    facts.need(!s.geometry.normals.empty() || s.geometry.all<Polygon>().have_normals(),
-               "interpolated normals");
+    facts.need(has_normals(s.geometry), "interpolated normals");
     return facts;
 }
 

@@ -18,6 +18,16 @@ TEST_CASE("info shows the contents of a scene, as text and as JSON", "[app]") {
     CHECK(j["needs"] == json{"mirrored rays"});
 }
 
+TEST_CASE("info shows what shapes of instances need", "[app]") {
+    const Folder f;
+    f.write("object.pbrt",
+            "WorldBegin ObjectBegin \"a\" Shape \"trianglemesh\" \"integer indices\" [0 1 2] "
+            "\"point P\" [0 0 0 1 0 0 0 1 0] \"normal N\" [0 0 1 0 1 1 1 0 1] ObjectEnd "
+            "ObjectInstance \"a\" WorldEnd");
+    CHECK(json::parse(f.etalon("info object.pbrt --json").out)["needs"] ==
+          json{"interpolated normals"});
+}
+
 TEST_CASE("info shows the memory of texture images, from their headers", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
