@@ -226,6 +226,26 @@ TEST_CASE("a truncated cone becomes triangles whose corners lie on it, with its 
     CHECK(at_base == 144);
 }
 
+TEST_CASE("a box without extent along an axis becomes one face") {
+    for (const char* box : {"box 0 -1 -1 0 1 2", "box -1 0 -1 1 0 2", "box -1 -1 0 1 2 0"}) {
+        CAPTURE(box);
+        const LoadResult before = load_objects(std::string(box) + "\n");
+        const WrittenScene written = write_pbrt(*before.scene, before.settings, "");
+        const LoadResult after = load_scene_text(written.text, "box.pbrt", {});
+        CHECK(messages(after).empty());
+        REQUIRE(after.scene);
+        const Geometry& mesh = after.scene->geometry;
+        REQUIRE(mesh.primitives.size() == 2);
+        double area = 0;
+        for (const std::uint32_t i : {0U, 1U}) {
+            const Triangle t = mesh.get<Triangle>(mesh.primitives[i]);
+            const Vec3 a = mesh.vertex(t.vertices[0]), b = mesh.vertex(t.vertices[1]);
+            area += (b - a).cross(mesh.vertex(t.vertices[2]) - a).length() / 2;
+        }
+        CHECK(area == 6);
+    }
+}
+
 TEST_CASE("materials become the nearest of PBRT's") {
     const auto types = [](const std::string& statement) {
         Strings list;

@@ -114,6 +114,7 @@ void PbrtShapeWriter::write_facets(const Cone& cone) {
     mesh(vertices, normals, faces);
 }
 
+/// Writes a box without extent along an axis as one face, not as two and four without area.
 void PbrtShapeWriter::write(const Box& b) {
     std::vector<Vec3> corners;
     corners.reserve(8);
@@ -133,7 +134,12 @@ void PbrtShapeWriter::write(const Box& b) {
                                                                             {0, 6, 2},
                                                                             {1, 3, 7},
                                                                             {1, 7, 5}}};
-    mesh(corners, {}, faces);
+    std::span<const std::array<std::uint32_t, 3>> seen = faces;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int k = static_cast<int>(axis);
+        if (b.min[k] == b.max[k]) seen = std::span(faces).subspan(4 * (2 - axis), 2);
+    }
+    mesh(corners, {}, seen);
 }
 
 void PbrtShapeWriter::write(const Polygon& p) {
