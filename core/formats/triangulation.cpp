@@ -1,25 +1,13 @@
 #include "core/formats/triangulation.h"
 
-#include "core/formats/degenerate.h"
 #include "core/formats/ear_clipping.h"
+#include "core/formats/outline.h"
 #include "core/numerics/orientation.h"
 
 namespace etalon {
 namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-
-/// Returns the corners projected along the axis nearest to the normal, counter-clockwise.
-std::vector<Vec2> projected(std::span<const Vec3> corners) {
-    const Vec3 normal = area_normal(corners);
-    const int axis = dominant_axis(normal);
-    int x = (axis + 1) % 3, y = (axis + 2) % 3;
-    if (normal[axis] < 0) std::swap(x, y);
-    std::vector<Vec2> outline;
-    outline.reserve(corners.size());
-    for (const Vec3& p : corners) outline.emplace_back(p[x], p[y]);
-    return outline;
-}
 
 /// Returns whether the whole outline turns one way, seen from the first corner.
 bool is_fan(const std::vector<Vec2>& p) {
@@ -38,7 +26,7 @@ Triangles fan(std::size_t count) {
 }  // namespace
 
 Triangles triangulate(std::span<const Vec3> corners) {
-    const std::vector<Vec2> outline = projected(corners);
+    const std::vector<Vec2> outline = projected_outline(corners);
     return is_fan(outline) ? fan(outline.size()) : clip_ears(outline);
 }
 

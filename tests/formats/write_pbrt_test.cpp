@@ -246,6 +246,26 @@ TEST_CASE("a box without extent along an axis becomes one face") {
     }
 }
 
+TEST_CASE("a polygon that PBRT shows otherwise is listed") {
+    const auto lost = [](const std::string& polygon) {
+        const LoadResult r = load_objects(polygon + "\n");
+        REQUIRE(r.scene);
+        Strings list;
+        for (const ConversionWarning& warning : write_pbrt(*r.scene, r.settings, "").lost) {
+            list.push_back(warning.what);
+        }
+        return list;
+    };
+    CHECK(lost("p 5 .1 .1 .7 .3 .1 .7 .3 .3 .7 .2 .2 .7 .1 .3 .7").empty());
+    CHECK(lost("p 4 0 0 0 .1 0 .1 .1 .1 .2 0 .1 .1").empty());
+    CHECK(lost("pp 4 0 0 0 0 0 1 1 0 0 0 1 1 1 1 0 0 0 1 0 1 0 0 0 1") ==
+          Strings{"smooth polygon, now triangles"});
+    CHECK(lost("p 4 -1 -1 0 1 -1 0 1 1 1 -1 1 0") ==
+          Strings{"polygon that is not planar, now triangles"});
+    CHECK(lost("p 5 0 3 0 2 -3 0 -3 1 0 3 1 0 -2 -3 0") ==
+          Strings{"polygon that crosses itself, now triangles that cover other parts"});
+}
+
 TEST_CASE("materials become the nearest of PBRT's") {
     const auto types = [](const std::string& statement) {
         Strings list;

@@ -3,12 +3,23 @@
 #include <cmath>
 #include <vector>
 
+#include "core/formats/outline.h"
 #include "core/formats/triangulation.h"
 #include "core/formats/write/facets.h"
 #include "core/formats/write/pbrt_shapes.h"
 #include "core/numerics/transforms.h"
 
 namespace etalon {
+namespace {
+
+/// Returns whether the corners lie in a plane, up to about the rounding of PBRT's floats.
+bool is_planar(const PolygonFacts& facts) {
+    const Vec3& normal = facts.plane.normal;
+    const double size = max_abs(facts.box.min) + max_abs(facts.box.max);
+    return facts.projection.off_plane <= 1e-6 * size * std::sqrt(normal.dot(normal));
+}
+
+}  // namespace
 
 double distance_to_view_plane(const Camera& camera) {
     const Vec3 view = camera.at - camera.eye;
@@ -142,7 +153,13 @@ void PbrtShapeWriter::write(const Box& b) {
     mesh(corners, {}, seen);
 }
 
-void PbrtShapeWriter::write(const Polygon& p) {
+/// PBRT has triangles in place of polygons, and interpolates normals over each of them.
+void PbrtShapeWriter::write(const StoredPolygon& p) {
+    if (!p.normals.empty()) lost_.add("smooth polygon, now triangles");
+    if (!is_planar(p.facts)) lost_.add("polygon that is not planar, now triangles");
+    if (crosses_itself(projected_outline(p.corners))) {
+        lost_.add("polygon that crosses itself, now triangles that cover other parts");
+    }
     mesh(p.corners, p.normals, triangulate(p.corners));
 }
 

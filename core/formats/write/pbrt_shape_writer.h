@@ -43,7 +43,7 @@ class PbrtShapeWriter {
     void write(const StoredCurve& c);
     void write(const Cone& c);
     void write(const Box& b);
-    void write(const Polygon& p);
+    void write(const StoredPolygon& p);
     void write(const Plane& p);
     void write_facets(const Cone& cone);
 
