@@ -1,18 +1,19 @@
 #include "core/formats/triangulation.h"
 
+#include "core/formats/degenerate.h"
 #include "core/formats/ear_clipping.h"
 #include "core/formats/outline.h"
-#include "core/numerics/orientation.h"
 
 namespace etalon {
 namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-/// Returns whether the whole outline turns one way, seen from the first corner.
-bool is_fan(const std::vector<Vec2>& p) {
+/// Returns whether the whole polygon turns one way, seen from the first corner.
+bool is_fan(std::span<const Vec3> p) {
+    const Vec3 normal = area_normal(p);
     for (std::size_t i = 2; i < p.size(); ++i) {
-        if (!(orientation(p[0], p[i - 1], p[i]) >= 0)) return false;
+        if (!((p[i - 1] - p[0]).cross(p[i] - p[0]).dot(normal) >= 0)) return false;
     }
     return true;
 }
@@ -26,8 +27,7 @@ Triangles fan(std::size_t count) {
 }  // namespace
 
 Triangles triangulate(std::span<const Vec3> corners) {
-    const std::vector<Vec2> outline = projected_outline(corners);
-    return is_fan(outline) ? fan(outline.size()) : clip_ears(outline);
+    return is_fan(corners) ? fan(corners.size()) : clip_ears(projected_outline(corners));
 }
 
 }  // namespace etalon
