@@ -73,7 +73,7 @@ int RenderRun::render_and_write() {
     if (!report_ranks()) return exit_unusable;
     warn_of_dropped_samples(rendering);
     const bool usable = tolerates(scene_, a_.scene, integrator_->late_problems());
-    const bool written = rendering.counts.camera == 0 || write(rendering);
+    const bool written = rendering.samples == 0 || write(rendering);
     is_written_ = written;
     if (SignalGuard::signal() != 0) return exit_signal + SignalGuard::signal();
     if (!written) return exit_not_written;

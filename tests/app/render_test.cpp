@@ -142,6 +142,27 @@ TEST_CASE("--resolution keeps the part of the image that a scene crops", "[app]"
     CHECK(etalon::read_image(f.path("tiny.exr")).value.width == 1);
 }
 
+TEST_CASE("an image that no light reaches through the lens is black, not missing", "[app]") {
+    const Folder f;
+    f.write("lens.dat", "35 3 1.6 20\n-35 5 1 20\n0 30 0 15\n");
+    f.write("lens.pbrt",
+            "Camera \"realistic\" \"string lensfile\" \"lens.dat\" \"float aperturediameter\" 4 "
+            "\"float focusdistance\" 5\n"
+            "Film \"image\" \"integer xresolution\" 64 \"integer yresolution\" 48 \"float "
+            "diagonal\" 200\n"
+            "WorldBegin LightSource \"infinite\" WorldEnd");
+    for (const std::string options : {"", "--part 1/1 "}) {
+        const auto r = f.etalon("render lens.pbrt --spp 2 -q --crop 0,0,4,4 " + options +
+                                "-o corner.exr --stats corner.json");
+        CAPTURE(options, r.err);
+        CHECK(r.status == 0);
+        CHECK(pixels(f.path("corner.exr")) == std::vector<float>(3 * 4 * 4, 0));
+        CHECK(json::parse(f.read("corner.json"))["rays"]["camera"] == 0);
+        f.shell("mv corner.exr part.exr");
+    }
+    CHECK(f.etalon("merge part.exr -o merged.exr").status == 0);
+}
+
 TEST_CASE("render takes any integrator by name, auto is the scene's own", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
