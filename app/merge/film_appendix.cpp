@@ -4,8 +4,10 @@
 
 #include <filesystem>
 
+#include "app/common/shallow_json.h"
 #include "app/render/image_identity.h"
 #include "core/base/hash64.h"
+#include "core/image/exr.h"
 
 namespace etalon {
 namespace {
@@ -63,6 +65,14 @@ bool is_possible(const StoredFilm& film, const Imath::V2i& size) {
     return pixels <= film.bytes / (sizeof(Vec3) + sizeof(std::uint32_t));
 }
 
+/// Returns whether an image may have these metadata: whether a pixel that has them can be encoded.
+bool is_possible_metadata(const Json& metadata) {
+    if (!metadata.is_object()) return false;
+    RenderedImage pixel{1, 1, {{0, 0}, {0, 0}}, {Color(0.0F)}, false, {}};
+    pixel.metadata = metadata_of(metadata);
+    return static_cast<bool>(encode_exr(pixel));
+}
+
 /// Returns whether an appendix can be that of an image: a hash shows damage, but not who wrote the
 /// file. Throws as film_settings() does.
 bool is_possible(const FilmAppendix& appendix, std::uint64_t bytes) {
@@ -71,7 +81,7 @@ bool is_possible(const FilmAppendix& appendix, std::uint64_t bytes) {
     const auto is_radius = [](double r) { return r > 0 && r <= max_filter_radius; };
     if (!is_radius(settings.filter.radius.x) || !is_radius(settings.filter.radius.y)) return false;
     if (std::max(size.x, size.y) > most_pixels_of_side || appendix.films.empty()) return false;
-    metadata_of(appendix.metadata);
+    if (!is_possible_metadata(appendix.metadata)) return false;
     std::uint64_t left = bytes;
     for (const StoredFilm& film : appendix.films) {
         if (!is_possible(film, size) || film.bytes > left) return false;
@@ -98,7 +108,7 @@ Result<FilmAppendix> read_checked(std::ifstream& file, const Ending& ending) {
     if (!lines.starts_with(first_line)) return {{}, "its sums are of another version of Etalon"};
     try {
         const auto line = lines.substr(first_line.size(), end - first_line.size());
-        FilmAppendix appendix = from_json(Json::parse(line));
+        FilmAppendix appendix = from_json(parse_shallow_json(line));
         if (!is_possible(appendix, ending.bytes)) return {{}, damaged};
         return {std::move(appendix), {}};
     } catch (const Json::exception&) {

@@ -100,6 +100,15 @@ bool add(const Input& input, MergedFilms& result) {
     return true;
 }
 
+/// Returns what ended the rendering of a part early, or an empty string.
+std::string stop_reason(const FilmAppendix& part) {
+    const auto metadata = metadata_of(part.metadata);
+    const auto found = metadata.find("stopped");
+    const auto* reason =
+        found == metadata.end() ? nullptr : std::get_if<std::string>(&found->second);
+    return reason == nullptr ? "" : *reason;
+}
+
 }  // namespace
 
 Result<MergedFilms> merge_films(const std::vector<std::string>& paths) {
@@ -120,7 +129,7 @@ Result<MergedFilms> merge_films(const std::vector<std::string>& paths) {
     const FilmAppendix& first = *inputs.front().appendix;
     MergedFilms result{first.identity, first.metadata, {}, {}};
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        const std::string reason = appendices[i].metadata.value("stopped", "");
+        const std::string reason = stop_reason(appendices[i]);
         if (!reason.empty()) result.stopped.push_back({paths[i], reason});
     }
     for (const Input& input : inputs) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/common/console.h"
+#include "app/common/shallow_json.h"
 #include "app/render/image_identity.h"
 #include "core/image/file_replacement.h"
 
@@ -125,7 +126,7 @@ std::string CheckpointReader::open(const std::string& path,
     }
     const auto begin = static_cast<std::streamoff>(first.size() + second.size() + 2);
     if (!is_whole(file_, size)) return path + ": the checkpoint is damaged or cut short";
-    const auto there = nlohmann::ordered_json::parse(second, nullptr, false);
+    const auto there = parse_shallow_json(second);
     const std::string difference = identity_difference(there, identity, "here");
     if (!difference.empty()) return path + ": is a checkpoint of another image: " + difference;
     file_.seekg(begin);

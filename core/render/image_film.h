@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -51,6 +52,7 @@ class ImageFilm {
         samples_.transfer(bytes);
         bytes(rates_);
         bytes.expect(rates_.empty() || rates_.size() == samples_.size());
+        bytes.expect(std::ranges::count(rates_, 0) == 0);
         if (splats_) splats_->transfer(bytes);
     }
 

@@ -68,7 +68,7 @@ SplatFilm::SplatFilm(const Imath::Box2i& window, int cell_side, const PixelFilte
              divided_up(window.max.y + 1 - corner_.y, side_)),
       before_(pixels_before(across_, down_)),
       block_(block_size(side_, across_, down_)),
-      splats_(static_cast<std::size_t>(cells_.x) * cells_.y * block_.x * block_.y),
+      splats_(cells() * block_.x * block_.y),
       errors_(cell_side > 1 ? splats_.size() : 0) {}
 
 double SplatFilm::bytes_per_pixel(int cell_side, const PixelFilter& filter) {
@@ -129,7 +129,7 @@ void SplatFilm::add(const SplatFilm& other, const std::vector<double>& counts) {
 
 std::vector<double> SplatFilm::counts(const Film& samples, const SampleRates& rates) const {
     if (!counts_.empty()) return counts_;
-    std::vector<double> counts(static_cast<std::size_t>(cells_.x) * cells_.y, 0);
+    std::vector<double> counts(cells(), 0);
     for (int y = window_.min.y; y <= window_.max.y; ++y) {
         for (int x = window_.min.x; x <= window_.max.x; ++x) {
             const std::size_t pixel = samples.index(x, y);

@@ -51,6 +51,7 @@ class SplatFilm {
         bytes(errors_);
         bytes(counts_);
         bytes.expect(errors_.empty() || errors_.size() == splats_.size());
+        bytes.expect(counts_.empty() || counts_.size() == cells());
     }
 
     /// Transfers only the cells of a tile, of a film to which no other was added.
@@ -83,6 +84,7 @@ class SplatFilm {
         return sum;
     }
 
+    std::size_t cells() const { return static_cast<std::size_t>(cells_.x) * cells_.y; }
     std::size_t cell_of(const Imath::V2i& pixel) const;
 
     /// Returns whether the pixel is the first one of its cell that is in the tile.

@@ -1,4 +1,5 @@
 // Forged sums after an image: their hash is valid, but nothing else needs to be.
+#include "app/common/shallow_json.h"
 #include "app/merge/merged_films.h"
 #include "core/base/hash64.h"
 #include "tests/catch.h"
@@ -59,9 +60,54 @@ TEST_CASE("What no image could have left behind is refused, though its hash fits
           }) == damaged);
     CHECK(changed([](FilmAppendix& a) { a.metadata["matrix"] = std::vector<std::string>(16); }) ==
           damaged);
+    CHECK(changed([](FilmAppendix& a) { a.metadata = Json::array(); }) == damaged);
+    CHECK(changed([](FilmAppendix& a) { a.metadata["channels"] = "R"; }) == damaged);
+    CHECK(changed([](FilmAppendix& a) { a.metadata["compression"] = 1; }) == damaged);
+    CHECK(changed([](FilmAppendix& a) { a.metadata[""] = "?"; }) == damaged);
     CHECK(changed([](FilmAppendix& a) { a.films[0].window.max = {100000, 100000}; }) == damaged);
     CHECK(changed([](FilmAppendix& a) { a.films[0].window.max = {-5, 2}; }) == damaged);
     CHECK(changed([](FilmAppendix& a) { a.films[0].bytes = std::uint64_t{1} << 60; }) == damaged);
+}
+
+TEST_CASE("A reason to stop that is no text is none", "[app]") {
+    FilmAppendix appendix = good_appendix();
+    appendix.metadata["stopped"] = 7;
+    CHECK(error_of(appendix, film_bytes(ImageFilm({{0, 0}, {3, 2}}, RenderSettings{}))) == "");
+}
+
+TEST_CASE("JSON in a file is not deeper than the stack", "[app]") {
+    constexpr int depth = 400000;
+    const std::string deep = std::string(depth, '[') + std::string(depth, ']');
+    const Json json = parse_shallow_json(R"({"a": {"b": [1, [2]]}, "deep": )" + deep + "}");
+    CHECK(json["a"].dump() == R"({"b":[1,[2]]})");
+    CHECK(json["deep"].dump().size() < 20);
+    CHECK(parse_shallow_json("{").is_discarded());
+}
+
+TEST_CASE("A film whose counts or rates are not of its pixels is refused", "[app]") {
+    const auto identity_with = [](const char* filter, double radius) {
+        FilmAppendix appendix = good_appendix();
+        appendix.identity["filter"] = Json::array({filter, {radius, radius}});
+        return appendix;
+    };
+    const std::string damaged = ": the sums behind the image are damaged";
+    RenderSettings settings;
+    settings.filter.kind = FilterKind::triangle;
+    settings.filter.radius = {2, 2};
+    std::string film = film_bytes(ImageFilm({{0, 0}, {3, 2}}, settings));
+    REQUIRE(error_of(identity_with("triangle", 2), film) == "");
+    const auto end_of = [&](const auto& values) {
+        std::string bytes;
+        StateWriter([&](std::string_view piece) { bytes += piece; })(values);
+        return bytes;
+    };
+    film.resize(film.size() - sizeof(std::uint64_t));  // without the samples of cells
+    CHECK(error_of(identity_with("triangle", 2), film + end_of(std::vector<double>(7))) == damaged);
+
+    std::string plain = film_bytes(ImageFilm({{0, 0}, {3, 2}}, RenderSettings{}));
+    plain.resize(plain.size() - sizeof(std::uint64_t));  // without the rates
+    CHECK(error_of(good_appendix(), plain + end_of(SampleRates(12, 1))) == "");
+    CHECK(error_of(good_appendix(), plain + end_of(SampleRates(12, 0))) == damaged);
 }
 
 TEST_CASE("A film whose arrays are not of one size is refused", "[app]") {
