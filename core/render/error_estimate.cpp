@@ -101,6 +101,15 @@ void ErrorEstimate::match(double change, const std::vector<std::uint8_t>& double
     }
 }
 
+/// Adjusts the changes of a pixel whose samples became more but were not doubled to those that
+/// doubling to the same number would have made.
+void ErrorEstimate::extrapolate(std::size_t i, std::uint32_t count) {
+    const int x = static_cast<int>(i) % width_, y = static_cast<int>(i) / width_;
+    const double fall = std::pow(static_cast<double>(counts_[i]) / count, rate(x, y));
+    changes_[i] *= fall;
+    changes_before_[i] *= fall;
+}
+
 /// Returns whether the pixel's samples were doubled.
 bool ErrorEstimate::look_at_pixel(std::size_t i, const Film& film, const FilteredErrors* filtered) {
     const bool doubled = counts_[i] > 0 && film.counts()[i] == 2 * counts_[i];
@@ -112,6 +121,8 @@ bool ErrorEstimate::look_at_pixel(std::size_t i, const Film& film, const Filtere
         const auto square = decodes_ ? decoded_relative_square : relative_square;
         changes_[i] = filtered ? (change * change).dot(filtered->factors[i]) / 3
                                : square(change, film.mean(i));
+    } else if (counts_[i] > 0 && film.counts()[i] > counts_[i]) {
+        extrapolate(i, film.counts()[i]);
     }
     sums_[i] = film.sum(i);
     counts_[i] = film.counts()[i];

@@ -27,9 +27,9 @@ class ErrorEstimate {
     /// If `decodes`, the error is that of the light for which the film's display values stand.
     ErrorEstimate(int width, int height, bool decodes);
 
-    /// Looks at a film. Only pixels whose samples have doubled since the last call contribute; all
-    /// others must have as many samples as then. With `filtered`, estimates the error of the
-    /// filtered image.
+    /// Looks at a film. Pixels whose samples have doubled since the last call contribute; the error
+    /// of those that have more samples, but not twice as many, falls at the rate known so far. With
+    /// `filtered`, estimates the error of the filtered image.
     void look(const Film& film, const FilteredErrors* filtered = nullptr);
 
     /// Returns whether there is an estimate, which needs pixels whose samples were doubled.
@@ -59,6 +59,7 @@ class ErrorEstimate {
 
   private:
     bool look_at_pixel(std::size_t pixel, const Film& film, const FilteredErrors* filtered);
+    void extrapolate(std::size_t pixel, std::uint32_t count);
     void match(double change, const std::vector<std::uint8_t>& doubled);
     void learn_rates();
     void compare_neighbours();

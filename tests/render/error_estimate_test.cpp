@@ -1,5 +1,6 @@
 #include "core/render/error_estimate.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/color/srgb.h"
@@ -32,7 +33,8 @@ Errors errors_after(std::uint32_t samples, const Integrand& f, Sampler sampler,
                     bool decodes = false) {
     Film film({{0, 0}, {side - 1, side - 1}});
     ErrorEstimate estimate(side, side, decodes);
-    for (std::uint32_t first = 0, last = 1; first < samples; first = last, last *= 2) {
+    for (std::uint32_t first = 0, last = 1; first < samples;
+         first = last, last = std::min(2 * last, samples)) {
         for (int i = 0; i < side * side; ++i) {
             const int x = i % side, y = i / side;
             for (std::uint32_t s = first; s < last; ++s) {
@@ -79,7 +81,7 @@ TEST_CASE("Nothing is expected of a film before its samples were doubled", "[est
 }
 
 TEST_CASE("Of independent samples the error is known to a tenth", "[estimate]") {
-    for (const std::uint32_t samples : {8, 32}) {
+    for (const std::uint32_t samples : {8, 32, 48, 127}) {
         const Errors e = errors_after(samples, edge, Sampler::random);
         CAPTURE(samples, e.expected, e.real);
         CHECK(e.expected == Approx(e.real).epsilon(0.1));
