@@ -8,8 +8,9 @@
 namespace etalon {
 namespace {
 
-/// Number of samples of every pixel before any pixel is preferred.
-constexpr std::uint32_t fewest = 4;
+/// Number of samples of every pixel, within the reach of its filter, before any pixel is preferred
+/// and before the estimate of the error is believed: that of four was half the error.
+constexpr double fewest = 8;
 
 /// Relative accuracy of the expected error.
 constexpr double tolerance = 0.03;
@@ -22,11 +23,19 @@ constexpr double most_samples = 0.5, most_of_the_way = 0.7;
 /// small light or a thin object, is found in the end, whatever they said of the error.
 constexpr std::uint32_t most_to_fewest = 64;
 
+double fewest_with(const PixelFilter& filter) {
+    const auto reach = [&](int axis) { return std::min(1.0, 2 * filter.radius[axis]); };
+    return fewest / (reach(0) * reach(1));
+}
+
 }  // namespace
 
 AdaptivePasses::AdaptivePasses(const ImageFilm& image, const RenderSettings& settings,
                                std::uint32_t samples)
-    : errors_(image, settings), error_(settings.target_error), samples_(samples) {}
+    : errors_(image, settings),
+      error_(settings.target_error),
+      fewest_(fewest_with(settings.filter)),
+      samples_(samples) {}
 
 std::optional<SamplingGoal> AdaptivePasses::next(const Film& film) {
     errors_.look();
@@ -37,11 +46,12 @@ std::optional<SamplingGoal> AdaptivePasses::next(const Film& film) {
 }
 
 std::optional<SamplingGoal> AdaptivePasses::plan(const Film& film) {
-    if (is_enough()) return std::nullopt;
     if (knows_too_little()) return SamplingGoal{of_all_ = std::max(1U, 2 * of_all_)};
+    if (is_enough()) return std::nullopt;
     SamplingGoal goal = worthwhile(film);
     if (goal.of_pixel == film.counts()) return std::nullopt;  // all have the largest number
     return goal;
+});
 }
 
 std::optional<double> AdaptivePasses::expected_error() const {
@@ -52,11 +62,10 @@ bool AdaptivePasses::is_enough() const {
     return errors_.estimate().exists() && expected_ <= (1 + tolerance) * error_;
 }
 
-/// Returns whether too little is known to choose pixels. False if twice the samples for all would
-/// be more than was asked for.
+/// Returns whether too little is known to choose pixels, or to end. False if twice the samples for
+/// all would be more than was asked for.
 bool AdaptivePasses::knows_too_little() const {
-    if (2 * of_all_ > samples_) return false;
-    return of_all_ < 2 || (of_all_ < fewest && expected_ / 2 > error_);
+    return of_all_ < fewest_ && 2 * of_all_ <= samples_;
 }
 
 /// Returns the candidates, the best first.

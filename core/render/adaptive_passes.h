@@ -42,7 +42,7 @@ class AdaptivePasses : public SamplingPasses {
     SamplingGoal worthwhile(const Film& film) const;
 
     PassErrors errors_;
-    double error_, expected_ = 0;
+    double error_, fewest_, expected_ = 0;
     std::uint32_t samples_, of_all_ = 0;
     bool is_complete_ = false;
 };

@@ -62,7 +62,7 @@ double set_time = 0;
 
 TEST_CASE("An image ends near the target error, with fewer samples than uniform sampling",
           "[passes]") {
-    for (const double error : {3e-3, 1e-3}) {
+    for (const double error : {1e-3, 4e-4}) {
         const Rendering r = rendered(scene(), up_to_error(scene(), error));
         const double real = error_of(r);
         CAPTURE(error, *r.expected_error, real, r.samples);
@@ -79,8 +79,8 @@ TEST_CASE("An adaptive image has the same mean as a uniform one", "[passes]") {
     Vec3 adaptive(0), uniform(0);
     constexpr int seeds = 16;
     for (std::uint32_t seed = 0; seed < seeds; ++seed) {
-        adaptive += mean(rendered(scene(), up_to_error(scene(), 3e-3, seed)).film.pixels());
-        uniform += mean(rendered(scene(), samples(scene(), 8, seed)).film.pixels());
+        adaptive += mean(rendered(scene(), up_to_error(scene(), 1e-3, seed)).film.pixels());
+        uniform += mean(rendered(scene(), samples(scene(), 16, seed)).film.pixels());
     }
     const Vec3 exact = mean(truth());
     for (int k = 0; k < 3; ++k) {
@@ -91,7 +91,7 @@ TEST_CASE("An adaptive image has the same mean as a uniform one", "[passes]") {
 }
 
 TEST_CASE("An adaptive image is the same for every backend and number of threads", "[passes]") {
-    const RenderSettings settings = up_to_error(scene(), 5e-3);
+    const RenderSettings settings = up_to_error(scene(), 1e-3);
     const Rendering reference = rendered(scene(), settings);
     for (const char* backend : {"grid", "embree", "embree-user"}) {
         for (const int threads : {1, 2}) {
@@ -111,6 +111,22 @@ TEST_CASE("No pixel has more samples than allowed, nor a sixty-fourth of another
     CHECK(*most == 256);
     CHECK(*least > 256 / 64);
     CHECK(*r.expected_error > 1e-12);
+}
+
+TEST_CASE("No image ends before eight samples of each pixel within its filter", "[passes]") {
+    const TestScene small = mixed_scene(12, 9);
+    const auto least = [&](double radius, int most) {
+        RenderSettings settings = up_to_error(small, 10);
+        settings.samples_per_pixel = most;
+        settings.filter.radius = {radius, radius};
+        const Rendering r = rendered(small, settings);
+        CHECK(r.complete);
+        return *std::ranges::min_element(r.film.counts());
+    };
+    CHECK(least(0.5, 1 << 14) == 8);
+    CHECK(least(2, 1 << 14) == 8);
+    CHECK(least(0.125, 1 << 14) == 128);
+    CHECK(least(0.5, 6) == 4);  // unless fewer are allowed
 }
 
 TEST_CASE("Images of one pixel, and of one sample at most, are valid", "[passes]") {
