@@ -72,6 +72,7 @@ int RenderRun::render_and_write() {
     }
     if (!report_ranks()) return exit_unusable;
     warn_of_dropped_samples(rendering);
+    warn_of_missed_target(rendering);
     const bool usable = tolerates(scene_, a_.scene, integrator_->late_problems());
     const bool written = rendering.samples == 0 || write(rendering);
     is_written_ = written;
@@ -132,6 +133,17 @@ void RenderRun::warn_of_dropped_samples(const Rendering& rendering) const {
     if (rendering.dropped_samples == 0) return;
     print_message("{}: warning: {} samples are infinite or no number: they count as black\n",
                   a_.scene.path, rendering.dropped_samples);
+}
+
+void RenderRun::warn_of_missed_target(const Rendering& rendering) const {
+    if (!rendering.misses_target) return;
+    const std::string error =
+        rendering.expected_error ? fmt::format("{:.2g}", *rendering.expected_error) : "unknown";
+    print_message(
+        "{}: warning: relMSE {} expected after {:.1f} samples per pixel; --target-error {:g} needs "
+        "a "
+        "larger --spp\n",
+        a_.scene.path, error, rendering.samples, a_.target_error);
 }
 
 bool RenderRun::build() {

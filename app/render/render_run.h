@@ -51,6 +51,7 @@ class RenderRun {
     /// Reports how the other ranks took part. Returns false if one has failed.
     bool report_ranks() const;
     void warn_of_dropped_samples(const Rendering& rendering) const;
+    void warn_of_missed_target(const Rendering& rendering) const;
 
     bool write(const Rendering& rendering);
     std::vector<Channel> make_channels(const Film& film);

@@ -49,13 +49,18 @@ std::optional<SamplingGoal> AdaptivePasses::plan(const Film& film) {
     if (knows_too_little()) return SamplingGoal{of_all_ = std::max(1U, 2 * of_all_)};
     if (is_enough()) return std::nullopt;
     SamplingGoal goal = worthwhile(film);
-    if (goal.of_pixel == film.counts()) return std::nullopt;  // all have the largest number
-    return goal;
-});
+    if (goal.of_pixel != film.counts()) return goal;
+    // None can be doubled; what is left are the samples to a number that is no power of two.
+    const bool is_full = *std::ranges::min_element(film.counts()) >= samples_;
+    return is_full ? std::nullopt : std::optional(SamplingGoal{samples_});
 }
 
 std::optional<double> AdaptivePasses::expected_error() const {
     return errors_.estimate().exists() ? std::optional(expected_) : std::nullopt;
+}
+
+bool AdaptivePasses::misses_target() const {
+    return is_complete_ && !is_enough();
 }
 
 bool AdaptivePasses::is_enough() const {

@@ -16,6 +16,7 @@ class AdaptivePasses : public SamplingPasses {
     std::optional<SamplingGoal> next(const Film& film) override;
     bool is_complete(std::uint64_t) const override { return is_complete_; }
     std::optional<double> expected_error() const override;
+    bool misses_target() const override;
     double progress(std::uint64_t samples) const override;
     void save(StateWriter& bytes) override { transfer(bytes); }
     void restore(StateReader& bytes) override { transfer(bytes); }

@@ -149,6 +149,7 @@ class Renderer {
         result.dropped_samples = samples_dropped_;
         result.expected_error = passes.expected_error();
         result.complete = passes.is_complete(samples_done_);
+        result.misses_target = passes.misses_target();
         return result;
     }
 

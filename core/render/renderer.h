@@ -50,6 +50,7 @@ struct Rendering {
     std::optional<double> expected_error{};  ///< relMSE, if it was estimated
     double resumed_samples = 0;              ///< mean per pixel, before the resumed state
     bool complete = false;                   ///< neither stopped nor out of time
+    bool misses_target = false;  ///< the samples allowed were too few for the target error
 };
 
 /// Renders the window of the settings. The integrator must have been made with the same settings.

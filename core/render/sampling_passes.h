@@ -38,6 +38,9 @@ class SamplingPasses {
     /// estimated.
     virtual std::optional<double> expected_error() const { return std::nullopt; }
 
+    /// Returns whether the samples allowed were too few for a target error.
+    virtual bool misses_target() const { return false; }
+
     /// Write and read the state of next() and expected_error() beside the film.
     virtual void save(StateWriter& bytes) = 0;
     virtual void restore(StateReader& bytes) = 0;

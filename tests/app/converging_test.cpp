@@ -174,6 +174,9 @@ TEST_CASE("an error without an estimate is unknown in text and null in JSON", "[
             f.etalon("render ball.p3f --target-error 0.01 " + limit + " -o a.exr --stats s.json");
         REQUIRE(r.status == 0);
         CHECK_THAT(r.err, ContainsSubstring("1.0 samples a pixel, relMSE unknown"));
+        const auto missed = ContainsSubstring("--target-error 0.01 needs a larger --spp");
+        if (limit == "--spp 1") CHECK_THAT(r.err, missed);
+        if (limit != "--spp 1") CHECK_THAT(r.err, !missed);
         const json s = json::parse(f.read("s.json"));
         CHECK(s["target_error"] == 0.01);
         CHECK(s["expected_error"].at("relmse").is_null());
@@ -189,6 +192,20 @@ TEST_CASE("an error without an estimate is unknown in text and null in JSON", "[
     const Imf::InputFile whole(f.path("a.exr").c_str());
     CHECK(whole.header().findTypedAttribute<Imf::StringAttribute>("stopped") == nullptr);
     CHECK(whole.header().typedAttribute<Imf::FloatAttribute>("samplesPerPixel").value() == 2);
+}
+
+TEST_CASE("a target error that --spp does not allow is said, and is no failure", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto r =
+        f.etalon("render ball.p3f --target-error 1e-9 --spp 13 -q -o a.exr --stats s.json");
+    CHECK(r.status == 0);
+    CHECK_THAT(r.err, ContainsSubstring("ball.p3f: warning: relMSE ") &&
+                          ContainsSubstring(" expected after 13.0 samples per pixel"));
+    const json s = json::parse(f.read("s.json"));
+    CHECK(s["stopped"].is_null());
+    CHECK(s["image"]["spp"] == 13);
+    CHECK(s["expected_error"]["relmse"] > 1e-9);
 }
 
 TEST_CASE("an error that was estimated stands in the image and in the figures alike", "[app]") {

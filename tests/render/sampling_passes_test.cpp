@@ -121,12 +121,28 @@ TEST_CASE("No image ends before eight samples of each pixel within its filter", 
         settings.filter.radius = {radius, radius};
         const Rendering r = rendered(small, settings);
         CHECK(r.complete);
+        CHECK_FALSE(r.misses_target);
         return *std::ranges::min_element(r.film.counts());
     };
     CHECK(least(0.5, 1 << 14) == 8);
     CHECK(least(2, 1 << 14) == 8);
     CHECK(least(0.125, 1 << 14) == 128);
     CHECK(least(0.5, 6) == 4);  // unless fewer are allowed
+}
+
+TEST_CASE("All allowed samples are taken before a target error is missed", "[passes]") {
+    for (const int most : {1, 6, 32, 37}) {
+        RenderSettings settings = up_to_error(scene(), 1e-12);
+        settings.samples_per_pixel = most;
+        const Rendering r = rendered(scene(), settings);
+        CAPTURE(most);
+        CHECK(r.complete);
+        CHECK(r.misses_target);
+        CHECK(*std::ranges::min_element(r.film.counts()) == static_cast<std::uint32_t>(most));
+        if (most < 32) continue;
+        CHECK(*r.expected_error < 1.5 * error_of(r));
+        CHECK(*r.expected_error > error_of(r) / 1.5);
+    }
 }
 
 TEST_CASE("Images of one pixel, and of one sample at most, are valid", "[passes]") {
