@@ -14,7 +14,8 @@ std::uint8_t byte_of_light(float value, double gain) {
 }
 
 std::uint8_t byte_of_display(float value, double gain) {
-    return static_cast<std::uint8_t>(255.99 * displayed(gain * value));
+    const double shown = gain == 1 ? value : srgb_encoded(gain * srgb_decoded(value));
+    return static_cast<std::uint8_t>(255.99 * displayed(shown));
 }
 
 template <class Encode>

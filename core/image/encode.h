@@ -14,6 +14,7 @@ std::uint8_t srgb_byte(float value, double gain = 1);
 
 /// Returns the byte of a display value as the programs that define such images compute it: no
 /// curve, 255.99 times the value, truncated. Values outside of [0, 1] are clamped; NaN is black.
+/// The gain is that of the light for which the value stands.
 std::uint8_t display_byte(float value, double gain = 1);
 
 /// Returns R, G, B of each pixel of the image's window. `exposure` is in stops.

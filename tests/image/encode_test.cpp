@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/color/srgb.h"
+#include "core/image/image.h"
 #include "core/numerics/random.h"
 #include "tests/catch.h"
 
@@ -107,6 +108,19 @@ TEST_CASE("exposure doubles with each stop, before the curve and before the clam
                         false, {}};
     CHECK(display_bytes(image, 1) == std::vector<std::uint8_t>{118, 188, 255, 0, 255, 0});
     CHECK(display_bytes(image, -2)[2] == srgb_byte(0.75F));
-    image.display_colors = true;
-    CHECK(display_bytes(image, 1) == std::vector<std::uint8_t>{46, 127, 255, 0, 255, 0});
+}
+
+TEST_CASE("exposure of display values is that of the light they stand for") {
+    RenderedImage shown{3, 1, {{0, 0}, {2, 0}}, {}, true, {}};
+    shown.pixels = {{0.09F, 0.25F, 0.5F}, {0.75F, 1, 1.5F}, {not_a_number, inf, -1}};
+    RenderedImage light = shown;
+    light.display_colors = false;
+    decode(light.pixels);
+    for (const double stops : {-3.0, -1.0, 0.5, 1.0}) {
+        const auto a = display_bytes(shown, stops), b = display_bytes(light, stops);
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            CAPTURE(stops, i);
+            CHECK(std::abs(a[i] - b[i]) <= 1);
+        }
+    }
 }
