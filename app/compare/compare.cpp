@@ -8,7 +8,6 @@
 #include "app/compare/limit.h"
 #include "app/subcommands.h"
 #include "core/image/atomic_file.h"
-#include "core/image/metrics/flip.h"
 #include "core/image/metrics/magma.h"
 #include "core/image/metrics/measure_metrics.h"
 #include "core/image/png.h"
@@ -81,8 +80,8 @@ int run(const Arguments& a) {
     const auto& [first, second] = images.value.pixels;
     warn_of_unbounded(a.a, first);
     warn_of_unbounded(a.b, second);
-    const PixelPlane map = flip_map(first, second, images.value.width);
-    const Metrics metrics = measure(first, second, map);
+    const auto [metrics, map] =
+        measure(first, second, images.value.width, images.value.has_display_values);
     const int status = write(a, images.value, metrics, map);
     return status == exit_done ? check_limits(a, metrics) : status;
 }

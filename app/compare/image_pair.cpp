@@ -81,8 +81,8 @@ Result<ImagePair> read_image_pair(const std::string& a, const std::string& b) {
                 fmt::format("{}; {}; expected images of one frame that overlap", extent(a, p),
                             extent(b, q))};
     }
-    const auto pixels_of = has_display_values(p, q) ? display_pixels : linear_pixels;
-    ImagePair images{p.width, p.height, {}};
+    ImagePair images{p.width, p.height, {}, has_display_values(p, q)};
+    const auto pixels_of = images.has_display_values ? display_pixels : linear_pixels;
     parallel_invoke([&] { images.pixels[0] = pixels_of(p); },
                     [&] { images.pixels[1] = pixels_of(q); });
     if (both) cut(images, p, q, *both);

@@ -14,7 +14,8 @@ namespace etalon::compare {
 struct ImagePair {
     int width = 0, height = 0;
     std::array<std::vector<Color>, 2> pixels;  ///< linear RGB, or display values, by rows
-    std::optional<Imath::Box2i> window{};      ///< the part, if an image shows more
+    bool has_display_values = false;
+    std::optional<Imath::Box2i> window{};  ///< the part, if an image shows more
 };
 
 /// Reads two files of any format of read_image. A failure's reason begins with the path at fault.

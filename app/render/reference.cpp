@@ -1,7 +1,6 @@
 #include "app/render/reference.h"
 
 #include "app/common/reference_image.h"
-#include "core/image/metrics/flip.h"
 #include "core/image/metrics/measure_metrics.h"
 #include "core/render/image_pixels.h"
 
@@ -32,7 +31,8 @@ void Reference::note(const RenderedPass& pass) {
 
 Metrics Reference::metrics_of(const Film& film) const {
     const std::vector<Color> pixels = image_pixels(film, settings_);
-    return measure(pixels, pixels_, flip_map(pixels, pixels_, width_));
+    const bool display_values = settings_.display_colors && settings_.keep_display_values;
+    return measure(pixels, pixels_, width_, display_values).metrics;
 }
 
 }  // namespace etalon

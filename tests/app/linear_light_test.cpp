@@ -71,6 +71,19 @@ TEST_CASE("compare knows light from display values", "[app]") {
     CHECK(f.compared("light.exr light.png")["max_abs"] <= 2.3 / 255);
 }
 
+TEST_CASE("what is seen of display values is what is seen of their light", "[app]") {
+    const TwoPictures f;
+    f.render("--seed 3 -o light3.exr");
+    f.render("--seed 3 --display-values -o display3.exr --reference display.exr --stats s.json");
+    const json light = f.compared("light3.exr light.exr");
+    const json display = f.compared("display3.exr display.exr");
+    CHECK(display["relmse"] != light["relmse"]);
+    for (const char* metric : {"flip", "ssim"}) {
+        CHECK(display[metric].get<double>() == Approx(light[metric].get<double>()).epsilon(1e-5));
+    }
+    CHECK(json::parse(f.read("s.json"))["error"] == display);
+}
+
 TEST_CASE("render --reference takes either, in the values of the image", "[app]") {
     const TwoPictures f;
     for (const char* reference : {"light.exr", "display.exr"}) {

@@ -5,7 +5,14 @@
 
 namespace etalon {
 
-/// Returns all metrics of two images, of which `flip_map` is the FLIP map.
-Metrics measure(Pixels a, Pixels reference, const PixelPlane& flip_map);
+/// All metrics of two images, and their FLIP map.
+struct MeasuredMetrics {
+    Metrics metrics;
+    PixelPlane flip_map;
+};
+
+/// Measures images in rows of `width` pixels. If they are `display_values`, FLIP and SSIM, which
+/// are about what is seen, compare the light for which these stand.
+MeasuredMetrics measure(Pixels a, Pixels reference, int width, bool display_values = false);
 
 }  // namespace etalon

@@ -2,9 +2,9 @@
 // that a caller pays only for those it needs. They use all threads and give the same bits for any
 // number of them.
 //
-// Images are linear RGB and of one size, at least one pixel. Every channel of every pixel has the
-// same weight. Values that are equal, or both NaN, do not differ; otherwise NaN or infinity in
-// either image is an infinite difference.
+// Images are linear RGB, or where only numbers are compared display values, and of one size, at
+// least one pixel. Every channel of every pixel has the same weight. Values that are equal, or both
+// NaN, do not differ; otherwise NaN or infinity in either image is an infinite difference.
 #pragma once
 
 #include <cstdint>
