@@ -79,6 +79,7 @@ std::string check_readable(const std::string& path) {
     if (::access(path.c_str(), R_OK) != 0) return std::generic_category().message(errno);
     std::error_code none;
     if (fs::is_directory(path, none)) return std::generic_category().message(EISDIR);
+    if (!fs::is_regular_file(path, none)) return "a pipe or device; expected a file";
     return {};
 }
 
@@ -106,10 +107,8 @@ Result<Image> read_by_kind(const std::string& path, Extent extent) {
     return read_oiio(path, extent);
 }
 
-/// Records the file's contents for the identity of the scene. A pipe could not be read again.
+/// Records the file's contents for the identity of the scene.
 void note_content(const std::string& path) {
-    std::error_code none;
-    if (!fs::is_regular_file(path, none)) return;
     const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
     Hash64 hash;
     std::vector<char> bytes(1 << 16);

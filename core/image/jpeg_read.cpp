@@ -60,7 +60,7 @@ void note(j_common_ptr info, int level) {
     if (warning == JWRN_JPEG_EOF || (warning == JWRN_HIT_MARKER && lacks_rows(decoder))) fail(info);
 }
 
-/// Reads the rest of a file. The file's size is only a hint; a pipe has none.
+/// Reads the rest of a file. The file's size is only a hint, since the file may change.
 PixelBytes rest_of(std::FILE* file) {
     constexpr std::size_t most = 1 << 16;  // bytes at a time
     PixelBytes bytes;

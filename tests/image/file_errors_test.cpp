@@ -1,3 +1,4 @@
+#include <sys/stat.h>
 #include <zlib.h>
 
 #include <cstdlib>
@@ -12,6 +13,7 @@
 
 using namespace etalon;
 using namespace etalon::test;
+using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
 
 namespace {
@@ -60,6 +62,13 @@ TEST_CASE("an unreadable file is named with the reason") {
         CHECK_THAT(read_image(folder / ("folder" + kind)).error,
                    ContainsSubstring("Is a directory"));
     }
+}
+
+TEST_CASE("a pipe is refused as such") {
+    const TemporaryFolder folder;
+    REQUIRE(::mkfifo((folder / "pipe.png").c_str(), 0600) == 0);
+    CHECK_THAT(read_image(folder / "pipe.png").error,
+               EndsWith("a pipe or device; expected a file"));
 }
 
 TEST_CASE("garbage after a true beginning is refused") {
