@@ -43,6 +43,15 @@ std::vector<std::string> image_channels(const Imf::ChannelList& stored) {
     throw Refused("expected channels R G B, or Y alone; it has" + names);
 }
 
+/// Refuses channels with fewer values than pixels.
+void check_sampling(const Imf::ChannelList& stored, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        const Imf::Channel* const channel = stored.findChannel(name);
+        if (channel == nullptr || (channel->xSampling == 1 && channel->ySampling == 1)) continue;
+        throw Refused("channel " + name + " is subsampled, which is not supported");
+    }
+}
+
 /// Reads a few rows at a time, so that memory grows with the contents of the file, not its header.
 std::vector<float> read_rows(Imf::InputFile& file, const std::vector<std::string>& names) {
     constexpr int rows_at_once = 256;  // the most a compressed block has (DWAB)
@@ -77,6 +86,7 @@ Image read_image_part(const std::string& path, Extent extent) {
     static_cast<void>(limited);
     Imf::InputFile file(path.c_str());
     const std::vector<std::string> names = image_channels(file.header().channels());
+    check_sampling(file.header().channels(), names);
     const Imath::Box2i window = file.header().dataWindow();
     const Imath::V2i size = window.size() + Imath::V2i(1);
     const int channels = static_cast<int>(names.size());

@@ -132,6 +132,26 @@ TEST_CASE("a file without R, G, B or Y is an error that names its channels") {
                    ContainsSubstring("N.X Z"));
 }
 
+TEST_CASE("channels with fewer values than pixels are refused by name") {
+    const TemporaryFolder folder;
+    const std::vector<float> values(8 * 8, 0.5F);
+    Imf::Header header(8, 8);
+    for (const char* name : {"G", "B"}) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    header.channels().insert("R", Imf::Channel(Imf::FLOAT, 2, 2));
+    {
+        Imf::OutputFile file((folder / "sub.exr").c_str(), header);
+        Imf::FrameBuffer buffer;
+        const Imath::Box2i all = header.dataWindow();
+        for (const char* name : {"G", "B"}) {
+            buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), all));
+        }
+        buffer.insert("R", Imf::Slice::Make(Imf::FLOAT, values.data(), all, 0, 0, 2, 2));
+        file.setFrameBuffer(buffer);
+        file.writePixels(8);
+    }
+    CHECK_THAT(read_image(folder / "sub.exr").error, ContainsSubstring("channel R is subsampled"));
+}
+
 TEST_CASE("luminance with chroma is refused rather than read without its colours") {
     const TemporaryFolder folder;
     const std::vector<Imf::Rgba> pixels(8 * 8);
