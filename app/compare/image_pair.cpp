@@ -11,13 +11,25 @@
 namespace etalon::compare {
 namespace {
 
-std::string extent(const std::string& path, const Image& image) {
-    const std::string size = fmt::format("{}: {} x {} pixels", path, image.width, image.height);
-    return image.origin ? fmt::format("{} at {},{}", size, image.origin->x, image.origin->y) : size;
-}
-
 Imath::V2i size_of(const Image& image) {
     return {image.width, image.height};
+}
+
+std::string place_text(const Imath::V2i& size, const std::optional<Imath::V2i>& origin) {
+    const std::string text = fmt::format("{} x {} pixels", size.x, size.y);
+    return origin ? fmt::format("{} at {},{}", text, origin->x, origin->y) : text;
+}
+
+bool are_of_one_frame(const Image& a, const Image& b) {
+    return !a.frame || !b.frame || *a.frame == *b.frame;
+}
+
+/// Returns the image's extent and, if frames differ, its frame.
+std::string extent(const std::string& path, const Image& image, bool with_frame) {
+    const std::string text = path + ": " + place_text(size_of(image), image.origin);
+    if (!with_frame) return text;
+    const Imath::Box2i& frame = *image.frame;
+    return text + " of a frame of " + place_text(frame.size() + Imath::V2i(1), frame.min);
 }
 
 bool same_extent(const Image& a, const Image& b) {
@@ -31,14 +43,15 @@ std::optional<Imath::Box2i> place_of(const Image& image, const Image& other) {
     const Imath::V2i size = size_of(image);
     if (image.origin) return Imath::Box2i(*image.origin, *image.origin + size - Imath::V2i(1));
     if (!other.origin) return std::nullopt;
+    const Imath::V2i first = other.frame ? other.frame->min : Imath::V2i(0);
     const Imath::V2i end = *other.origin + size_of(other);
-    const bool is_all = other.frame ? size == *other.frame : end.x <= size.x && end.y <= size.y;
-    return is_all ? std::optional(Imath::Box2i({0, 0}, size - Imath::V2i(1))) : std::nullopt;
+    const Imath::Box2i all(first, first + size - Imath::V2i(1));
+    const bool is_all = other.frame ? all == *other.frame : end.x <= size.x && end.y <= size.y;
+    return is_all ? std::optional(all) : std::nullopt;
 }
 
-/// Returns the part of their frame that both show, if they are of one frame and overlap.
+/// Returns the part of their frame that both show, if they overlap.
 std::optional<Imath::Box2i> overlap(const Image& a, const Image& b) {
-    if (a.frame && b.frame && *a.frame != *b.frame) return std::nullopt;
     const auto p = place_of(a, b), q = place_of(b, a);
     if (!p || !q) return std::nullopt;
     const Imath::Box2i both({std::max(p->min.x, q->min.x), std::max(p->min.y, q->min.y)},
@@ -74,12 +87,12 @@ Result<ImagePair> read_image_pair(const std::string& a, const std::string& b) {
     if (!first) return {{}, first.error};
     if (!second) return {{}, second.error};
     Image &p = first.value, &q = second.value;
-    const bool is_whole = same_extent(p, q);
+    const bool is_whole = same_extent(p, q), other_frame = !are_of_one_frame(p, q);
     const std::optional<Imath::Box2i> both = is_whole ? std::nullopt : overlap(p, q);
-    if (!is_whole && !both) {
+    if (other_frame || (!is_whole && !both)) {
         return {{},
-                fmt::format("{}; {}; expected images of one frame that overlap", extent(a, p),
-                            extent(b, q))};
+                fmt::format("{}; {}; expected images of one frame that overlap",
+                            extent(a, p, other_frame), extent(b, q, other_frame))};
     }
     ImagePair images{p.width, p.height, {}, has_display_values(p, q)};
     const auto pixels_of = images.has_display_values ? display_pixels : linear_pixels;

@@ -92,8 +92,13 @@ Image read_image_part(const std::string& path, Extent extent) {
     const int channels = static_cast<int>(names.size());
     const Encoding encoding =
         has_display_colors(file.header()) ? Encoding::display : Encoding::linear;
-    const Imath::V2i frame = file.header().displayWindow().size() + Imath::V2i(1);
-    Image image{size.x, size.y, channels, std::vector<float>(), encoding, window.min, frame};
+    Image image{size.x,
+                size.y,
+                channels,
+                std::vector<float>(),
+                encoding,
+                window.min,
+                file.header().displayWindow()};
     if (extent == Extent::whole) image.pixels = read_rows(file, names);
     return image;
 }

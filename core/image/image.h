@@ -25,7 +25,7 @@ struct Image {
     std::variant<PixelBytes, std::vector<float>> pixels;
     Encoding encoding = Encoding::linear;
     std::optional<Imath::V2i> origin;  ///< of the upper left pixel in its frame, if the file has it
-    std::optional<Imath::V2i> frame{};  ///< size of the frame, if the file has it
+    std::optional<Imath::Box2i> frame{};  ///< inclusive on both ends, if the file has it
 
     bool empty() const { return width == 0; }
 

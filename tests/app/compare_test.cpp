@@ -1,4 +1,9 @@
 // etalon compare as a process: its output for two images, and its exit status.
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfOutputFile.h>
+
 #include <nlohmann/json.hpp>
 
 #include "core/image/io.h"
@@ -167,6 +172,30 @@ TEST_CASE("compare of a crop with the whole image, or another crop, compares the
                ContainsSubstring("note: compared are the 8 x 6 pixels at 16,6"));
     CHECK(f.etalon("compare all.exr large.exr").status == 3);
     CHECK(f.etalon("compare crop.exr large.exr").status == 3);
+    render("--resolution 64x48 --crop 8,6,24,20 -o same_place.exr");
+    const auto r = f.etalon("compare crop.exr same_place.exr");
+    CHECK(r.status == 3);
+    CHECK_THAT(r.err, ContainsSubstring(
+                          "crop.exr: 16 x 14 pixels at 8,6 of a frame of 32 x 24 pixels at "
+                          "0,0; same_place.exr: 16 x 14 pixels at 8,6 of a frame of 64 x 48"));
+}
+
+TEST_CASE("compare tells frames of one size apart by their places", "[app]") {
+    const Folder f;
+    std::vector<float> pixels(4 * 4, 0.5F);
+    const auto write_at = [&](const std::string& name, const Imath::Box2i& frame) {
+        Imf::Header header(frame, Imath::Box2i({0, 0}, {3, 3}));
+        header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+        Imf::OutputFile file(f.path(name).c_str(), header);
+        Imf::FrameBuffer buffer;
+        buffer.insert("Y", Imf::Slice::Make(Imf::FLOAT, pixels.data(), header.dataWindow()));
+        file.setFrameBuffer(buffer);
+        file.writePixels(4);
+    };
+    write_at("a.exr", {{0, 0}, {9, 9}});
+    write_at("b.exr", {{-3, -3}, {6, 6}});
+    CHECK(f.etalon("compare a.exr a.exr").status == 0);
+    CHECK(f.etalon("compare a.exr b.exr").status == 3);
 }
 
 TEST_CASE("compare says in JSON which pixels it has compared", "[app]") {
