@@ -75,8 +75,8 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
     const int samples = std::clamp(settings.samples_per_pixel, 1, most_samples);
     SurfaceMeans means{Film(window), Film(window)};
     const Albedo albedo(scene);
-    const auto add = [&](int x, int y, const Ray& ray) {
-        const std::optional<Hit> hit = intersector.closest(ray);
+    const auto add = [&](int x, int y, const Ray& ray, bool is_seen) {
+        const std::optional<Hit> hit = is_seen ? intersector.closest(ray) : std::nullopt;
         if (!hit) return means.albedo.add(x, y, Color(0)), means.normal.add(x, y, Color(0));
         const SurfaceInteraction at = surface_interaction(scene, ray, *hit);
         means.albedo.add(x, y, albedo.at(ray, *hit, at));
@@ -85,8 +85,10 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
     const bool complete = visit_pixels(window, stop, [&](int x, int y, std::size_t) {
         CameraBatch of_pixel(rays);
         of_pixel.add(x, y, 0, samples);
-        const RayStream rays_of_pixel = of_pixel.make().rays;
-        for (std::size_t i = 0; i < rays_of_pixel.size(); ++i) add(x, y, rays_of_pixel[i]);
+        const CameraSamples of_image = of_pixel.make();
+        for (std::size_t i = 0; i < of_image.rays.size(); ++i) {
+            add(x, y, of_image.rays[i], of_image.weights.empty() || of_image.weights[i] > 0);
+        }
     });
     if (!complete) return std::nullopt;
     if (rays.shares_corners()) means = {means.albedo.cells(), means.normal.cells()};

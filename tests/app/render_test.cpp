@@ -5,6 +5,7 @@
 #include "tests/app/image_pixels.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
+#include "tests/exr_channels.h"
 
 using namespace etalon::test;
 
@@ -150,17 +151,19 @@ TEST_CASE("an image that no light reaches through the lens is black, not missing
             "\"float focusdistance\" 5\n"
             "Film \"image\" \"integer xresolution\" 64 \"integer yresolution\" 48 \"float "
             "diagonal\" 200\n"
-            "WorldBegin LightSource \"infinite\" WorldEnd");
-    for (const std::string options : {"", "--part 1/1 "}) {
+            "WorldBegin LightSource \"infinite\" Shape \"sphere\" \"float radius\" 1000 WorldEnd");
+    for (const std::string options : {"--aov albedo,N ", "--part 1/1 "}) {
         const auto r = f.etalon("render lens.pbrt --spp 2 -q --crop 0,0,4,4 " + options +
                                 "-o corner.exr --stats corner.json");
         CAPTURE(options, r.err);
         CHECK(r.status == 0);
         CHECK(pixels(f.path("corner.exr")) == std::vector<float>(3 * 4 * 4, 0));
         CHECK(json::parse(f.read("corner.json"))["rays"]["camera"] == 0);
-        f.shell("mv corner.exr part.exr");
+        if (options.starts_with("--part")) continue;
+        CHECK(channel<float>(f.path("corner.exr"), "albedo.G") == std::vector<float>(4 * 4, 0));
+        CHECK(channel<float>(f.path("corner.exr"), "N.Z") == std::vector<float>(4 * 4, 0));
     }
-    CHECK(f.etalon("merge part.exr -o merged.exr").status == 0);
+    CHECK(f.etalon("merge corner.exr -o merged.exr").status == 0);
 }
 
 TEST_CASE("render takes any integrator by name, auto is the scene's own", "[app]") {
