@@ -2,6 +2,7 @@
 
 #include "core/image/lack_of_memory.h"
 #include "core/image/oiio_loader.h"
+#include "core/image/orientation.h"
 
 namespace etalon {
 namespace {
@@ -9,6 +10,7 @@ namespace {
 /// Collects what the module appends. No exception may reach the module.
 struct Collector {
     Result<Image> result;
+    int orientation = 1;
 
     static Collector& of(void* context) { return *static_cast<Collector*>(context); }
 
@@ -34,6 +36,7 @@ Pixels room(const EtalonImageFormat& format) {
 }
 
 int begin_image(void* context, const EtalonImageFormat* format) {
+    Collector::of(context).orientation = format->orientation;
     return Collector::of(context).attempt([&](Image& image) {
         image = {format->width, format->height, format->channels, {}, {}, {}};
         if (format->is_srgb != 0) image.encoding = Encoding::srgb;
@@ -64,8 +67,9 @@ Result<Image> read_oiio(const std::string& path, Extent extent) {
     Collector image;
     const EtalonSink sink{&image, begin_image, append_to_image, Collector::fail};
     const int header_only = extent == Extent::header ? 1 : 0;
-    if (module.value->read(path.c_str(), header_only, &sink) != 0) return std::move(image.result);
-    return {{}, image.result.error};
+    if (module.value->read(path.c_str(), header_only, &sink) == 0) return {{}, image.result.error};
+    put_upright(image.result.value, image.orientation);
+    return std::move(image.result);
 }
 
 }  // namespace etalon

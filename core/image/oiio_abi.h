@@ -8,8 +8,9 @@ extern "C" {
 
 struct EtalonImageFormat {
     int width, height, channels;
-    int is_float;  ///< 0 for bytes
-    int is_srgb;   ///< encoded by sRGB's curve; 0 for linear
+    int is_float;     ///< 0 for bytes
+    int is_srgb;      ///< encoded by sRGB's curve; 0 for linear
+    int orientation;  ///< as in TIFF and Exif, 1 to 8; 1: rows from the top, each from the left
 };
 
 /// Receiver of an image. The first two functions return 0 on failure; their caller then gives up.
@@ -23,7 +24,7 @@ struct EtalonSink {
 struct EtalonOiio {
     int version;  ///< etalon_oiio_version
 
-    /// Reads the first image of a file: begin, then rows from the top in any number of appends, or
+    /// Reads the first image of a file: begin, then rows as stored in any number of appends, or
     /// none with `header_only`. The image has at most four channels. Returns 0 after fail.
     int (*read)(const char* path, int header_only, const EtalonSink* sink);
 };
@@ -33,4 +34,4 @@ using EtalonOiioEntry = const EtalonOiio* (*)();
 
 }  // extern "C"
 
-inline constexpr int etalon_oiio_version = 3;
+inline constexpr int etalon_oiio_version = 4;

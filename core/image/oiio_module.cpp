@@ -101,6 +101,17 @@ std::unique_ptr<OIIO::ImageInput> open(const char* path, const Signature* signat
     return input;
 }
 
+/// Returns the order of the stored pixels, for formats that have it in their own header: Exif's is
+/// for viewers of photographs. OpenImageIO 2.4 takes two orders of HDR for each other.
+int orientation_of(const OIIO::ImageInput& input) {
+    const std::string_view format = input.format_name();
+    const int orientation = input.spec().get_int_attribute("Orientation", 1);
+    if (format == "hdr" && (orientation == 6 || orientation == 8)) {
+        fail("the order of its pixels is not supported; expected -Y +X");
+    }
+    return format == "hdr" || format == "tiff" ? orientation : 1;
+}
+
 /// Reads rows of the image into `rows`, a few at a time, so that memory grows with the file's
 /// contents. Returns false if some are missing.
 bool read_rows(OIIO::ImageInput& input, const EtalonImageFormat& format, const EtalonSink& sink) {
@@ -130,9 +141,12 @@ int read(const char* path, int header_only, const EtalonSink* sink) {
         const Signature* const signature = signature_of(path);
         const auto input = open(path, signature);
         const OIIO::ImageSpec& spec = input->spec();
-        const EtalonImageFormat format{
-            spec.width, spec.height, std::min(spec.nchannels, max_channels),
-            spec.format != OIIO::TypeDesc::UINT8, !spec.format.is_floating_point()};
+        const EtalonImageFormat format{spec.width,
+                                       spec.height,
+                                       std::min(spec.nchannels, max_channels),
+                                       spec.format != OIIO::TypeDesc::UINT8,
+                                       !spec.format.is_floating_point(),
+                                       orientation_of(*input)};
         if (sink->begin(sink->context, &format) == 0) throw Refused();
         if (header_only == 0 && !read_rows(*input, format, *sink)) {
             fail_by_content(signature, "the image is damaged or cut short");

@@ -125,6 +125,73 @@ TEST_CASE("a Radiance image is linear floats") {
     CHECK(c.z == Approx(0.5).epsilon(0.02));
 }
 
+TEST_CASE("a Radiance image is upright, whatever the order of its pixels") {
+    const TemporaryFolder folder;
+    const auto letter = [](int x, int y) {  // of a picture of 3 x 2 pixels
+        return static_cast<char>(130 + 10 * x + 50 * y);
+    };
+    const std::pair<const char*, const char*> axes[] = {{"-Y 2", "+X 3"}, {"-Y 2", "-X 3"},
+                                                        {"+Y 2", "-X 3"}, {"+Y 2", "+X 3"},
+                                                        {"+X 3", "-Y 2"}, {"-X 3", "+Y 2"}};
+    for (const auto& [outer, inner] : axes) {
+        CAPTURE(outer, inner);
+        std::string text =
+            std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n") + outer + " " + inner + "\n";
+        for (int i = 0; i < outer[3] - '0'; ++i) {
+            for (int k = 0; k < inner[3] - '0'; ++k) {
+                const auto along = [](const char* axis, int number) {
+                    return (axis[0] == '+') == (axis[1] == 'X') ? number : axis[3] - '1' - number;
+                };
+                const bool by_rows = outer[1] == 'Y';
+                const int x = by_rows ? along(inner, k) : along(outer, i);
+                const int y = by_rows ? along(outer, i) : along(inner, k);
+                text += std::string(3, letter(x, y)) + '\x88';
+            }
+        }
+        const Image image = read(folder, "p.hdr", text);
+        REQUIRE(image.width == 3);
+        REQUIRE(image.height == 2);
+        for (int y = 0; y < 2; ++y) {
+            for (int x = 0; x < 3; ++x) {
+                CHECK(image.color(x, y).x ==
+                      Approx(static_cast<unsigned char>(letter(x, y))).margin(1));
+            }
+        }
+        CHECK(read_image(folder / "p.hdr", Extent::header).value.width == 3);
+    }
+    for (const std::string other : {"+X 3 +Y 2", "-X 3 -Y 2"}) {
+        put(folder / "p.hdr",
+            "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + other + "\n" + std::string(24, '\x80'));
+        CHECK(read_image(folder / "p.hdr").error.ends_with("not supported; expected -Y +X"));
+    }
+}
+
+TEST_CASE("a TIFF is upright, whatever its orientation") {
+    const TemporaryFolder folder;
+    // Seen, all are the rows ab, cd, ef.
+    const std::pair<int, const char*> stored[] = {{1, "abcdef"}, {2, "badcfe"}, {3, "fedcba"},
+                                                  {4, "efcdab"}, {5, "acebdf"}, {6, "bdface"},
+                                                  {7, "fdbeca"}, {8, "ecafdb"}};
+    for (const auto& [orientation, pixels] : stored) {
+        CAPTURE(orientation);
+        const bool is_transposed = orientation > 4;
+        Tiff t;
+        t.number(0, 1);
+        t.number(8, 4);
+        t.word(9);
+        t.entry(256, 3, 1, is_transposed ? 3 : 2), t.entry(257, 3, 1, is_transposed ? 2 : 3);
+        t.entry(258, 3, 1, 8), t.entry(259, 3, 1, 1), t.entry(262, 3, 1, 1);
+        t.entry(273, 4, 1, 8 + 2 + 12 * 9 + 4);  // offset of the pixels
+        t.entry(274, 3, 1, static_cast<unsigned>(orientation));
+        t.entry(278, 3, 1, 3), t.entry(279, 4, 1, 6);  // rows and bytes of the strip
+        t.number(0, 4);
+        const Image image = read(folder, "o.tif", t.text + pixels);
+        CHECK(image.width == 2);
+        CHECK(image.height == 3);
+        CHECK(text_of(std::get<Bytes>(image.pixels)) == "abcdef");
+    }
+}
+
 TEST_CASE("tiles are put in their places, cut at the edge") {
     const TemporaryFolder folder;
     const Image image = read(folder, "p.tif", tiled_tiff());
