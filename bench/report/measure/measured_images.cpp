@@ -12,6 +12,7 @@
 #include "core/image/metrics/flip.h"
 #include "core/image/metrics/magma.h"
 #include "core/image/png.h"
+#include "core/render/image_pixels.h"
 
 namespace etalon::bench_report {
 namespace {
@@ -67,9 +68,9 @@ void measure(const ImageRequest& request, Results& results, const TaskProgress& 
                          scene.geometry.primitives.size(),
                          many.render,
                          {}};
-    const std::vector<Color> image = many.rendering.film.pixels();
-    const PixelPlane error = flip_map(few.rendering.film.pixels(), image, request.width);
-    add(samples_of(request.samples), display(settings, image), figures);
+    const PixelPlane error = flip_map(image_pixels(few.rendering.film, settings),
+                                      image_pixels(many.rendering.film, settings), request.width);
+    add(samples_of(request.samples), display(settings, many.rendering.film.pixels()), figures);
     add(fmt::format("FLIP of {}, mean {}", samples_of(request.fewer_samples),
                     three_digits(flip(error))),
         magma(error), figures);
