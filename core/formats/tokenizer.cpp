@@ -20,7 +20,7 @@ Tokenizer::Tokenizer(std::string_view text)
 bool Tokenizer::at_number() const {
     const std::string_view word = peek();
     const std::size_t first = word.find_first_not_of("+-.");
-    return first != word.npos && first <= 2 && word[first] >= '0' && word[first] <= '9';
+    return first <= 2 && word[first] >= '0' && word[first] <= '9';
 }
 
 std::string_view Tokenizer::peek() const {
