@@ -179,7 +179,7 @@ CaseSetup inside_mesh(double condition) {
 
 std::vector<HardCase> instance_cases() {
     Rows rows("scene");
-    for (const int exponent : {0, 2, 4, 6}) {
+    for (const int exponent : {0, 2, 4, 6, 8, 12}) {
         rows.add("INST-1", "condition " + power_of_ten(exponent),
                  [=] { return of_condition(std::pow(10, exponent)); });
     }

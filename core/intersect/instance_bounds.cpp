@@ -1,6 +1,7 @@
 #include "core/intersect/instance_bounds.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/motion_bounds.h"
@@ -41,9 +42,9 @@ Box3 unpadded_moving(const AnimatedTransform& motion, const ObjectOutline& outli
     return world;
 }
 
-Box3 unpadded_still(const Affine& map, const ObjectOutline& outline) {
-    if (!is_finite(map)) return {};
-    return outline.is_unbounded() ? everywhere() : outline.image(map);
+Box3 unpadded_still(const std::optional<Affine>& map, const ObjectOutline& outline) {
+    if (map && !is_finite(*map)) return {};
+    return map && !outline.is_unbounded() ? outline.image(*map) : everywhere();
 }
 
 Box3 bounded_or_everywhere(const Box3& box) {
@@ -69,9 +70,10 @@ Roundings roundings_of(const Geometry& geometry, const Instance& instance, const
 /// Returns how far the roundings of rays to the object move a hit. A ray's origin o and the hit are
 /// within 2^24 S of the scene's centre, where S is half its size (NormalizedSpace::resolves), or,
 /// for boxes without padding, within 8 S. In object space o' and t d' are off by at most 4 u |A|
-/// (|o - c| + t |d|), which the inverse spreads. The factors leave room for three times as much.
+/// (|o - c| + t |d|), which the inverse spreads. The box is off by 25 u of its distance from c. The
+/// factors leave room for half as much again.
 Vec3 margin_of(const Roundings& roundings, double half, const InstancePadding& padding) {
-    return (padding.roundings * half + 0x1p-48 * roundings.distance) * roundings.spread;
+    return (padding.roundings * half + 0x1p-47 * roundings.distance) * roundings.spread;
 }
 
 /// Boxes before they are padded.
@@ -83,9 +85,9 @@ struct UnpaddedBoxes {
         if (instance.moves()) {
             boxes[i] = unpadded_moving(geometry.motions[instance.motion], outline);
         } else {
-            const Affine map = instance.to_world();
+            const std::optional<Affine> map = instance.precise_to_world();
             boxes[i] = unpadded_still(map, outline);
-            spreads[i] = spread(instance, map);
+            if (map) spreads[i] = spread(instance, *map);
         }
         boxes[i] = widened(bounded_or_everywhere(boxes[i]));
     }

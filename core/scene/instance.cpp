@@ -136,6 +136,50 @@ namespace etalon {
 
 HWY_EXPORT(inverse_rows);
 
+namespace {
+
+/// The columns of the inverse of a matrix by Cramer's rule in double. The rows are first scaled,
+/// exactly, to numbers of at most 2.
+class ColumnsByCramer {
+  public:
+    explicit ColumnsByCramer(const std::array<Vec3, 3>& rows)
+        : scale_(power_of_two_reciprocal(
+              std::max({max_abs(rows[0]), max_abs(rows[1]), max_abs(rows[2])}))),
+          a_(rows[0] * scale_),
+          b_(rows[1] * scale_),
+          c_(rows[2] * scale_),
+          bc_(b_.cross(c_)),
+          determinant_(a_.dot(bc_)) {
+        const Vec3 b = abs(b_), c = abs(c_);
+        terms_ = abs(a_).dot({b.y * c.z + b.z * c.y, b.z * c.x + b.x * c.z, b.x * c.y + b.y * c.x});
+    }
+
+    /// Returns whether the magnitudes of the determinant's terms sum to more than `factor` times
+    /// the determinant, whose relative error is 5 u times their quotient.
+    bool cancels_more_than(double factor) const { return terms_ > factor * std::abs(determinant_); }
+
+    /// Returns whether that sum is so small that bits of it may be below the range of double.
+    bool is_out_of_range() const { return terms_ < 0x1p-900; }
+
+    Affine map(const Vec3& origin) const {
+        const double factor = scale_ / determinant_;
+        return {factor * bc_, factor * c_.cross(a_), factor * a_.cross(b_), origin};
+    }
+
+    /// Returns the same, rounded once. The inverse of the transpose has the columns as its rows.
+    Affine rounded_map(const Vec3& origin) const {
+        const auto columns = HWY_DYNAMIC_DISPATCH(inverse_rows)(a_, b_, c_);
+        return {scale_ * columns[0], scale_ * columns[1], scale_ * columns[2], origin};
+    }
+
+  private:
+    double scale_;
+    Vec3 a_, b_, c_, bc_;
+    double determinant_, terms_;
+};
+
+}  // namespace
+
 Instance::Instance(const Affine& to_world, std::uint32_t object_number)
     : rows(HWY_DYNAMIC_DISPATCH(inverse_rows)(to_world.x, to_world.y, to_world.z)),
       origin(to_world.origin),
@@ -143,14 +187,20 @@ Instance::Instance(const Affine& to_world, std::uint32_t object_number)
     if (!exists()) rows.fill(Vec3(nan_value));  // so that no ray in the object's space is valid
 }
 
-/// Uses Cramer's rule in double. Its error for an ill-conditioned map is measured where it matters.
 Affine Instance::to_world() const {
-    const double scale =
-        power_of_two_reciprocal(std::max({max_abs(rows[0]), max_abs(rows[1]), max_abs(rows[2])}));
-    const Vec3 a = rows[0] * scale, b = rows[1] * scale, c = rows[2] * scale;
-    const Vec3 bc = b.cross(c);
-    const double factor = scale / a.dot(bc);
-    return {factor * bc, factor * c.cross(a), factor * a.cross(b), origin};
+    const ColumnsByCramer inverse(rows);
+    return inverse.cancels_more_than(0x1p16) ? inverse.rounded_map(origin) : inverse.map(origin);
+}
+
+/// The sum of the determinant's terms is at most 2.6 S^2 times the determinant for a spread S:
+/// scale the rows, which changes neither, so that |A| v = v for v = (1, 1, 1). Then the terms sum
+/// to at most 1. The rows of the inverse are no longer than S, so the product of its two larger
+/// singular values is at most 1.5 S^2, and the third is at most sqrt(3), as no row of A is shorter
+/// than 1 / sqrt(3). Their product is the inverse's determinant.
+std::optional<Affine> Instance::precise_to_world() const {
+    const ColumnsByCramer inverse(rows);
+    if (inverse.is_out_of_range() || inverse.cancels_more_than(0x1p46)) return std::nullopt;
+    return inverse.cancels_more_than(2) ? inverse.rounded_map(origin) : inverse.map(origin);
 }
 
 bool Instance::exists() const {

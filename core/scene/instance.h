@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "core/numerics/affine.h"
 
@@ -16,9 +17,14 @@ namespace etalon {
 struct Instance {
     Instance(const Affine& to_world, std::uint32_t object_number);
 
-    /// Returns the map from object to world space, up to roundings; not finite where the rows are
-    /// singular.
+    /// Returns the map from object to world space, accurate enough for one step of correction to
+    /// leave roundings only; not finite where the rows are singular.
     Affine to_world() const;
+
+    /// Returns the same for bounds: a point's image is off by at most 25 u of its distance from the
+    /// origin, times spread() (core/intersect/placement.h). Nothing if a component of the spread
+    /// certainly exceeds 2^21, or if products of the rows nearly leave the range of double.
+    std::optional<Affine> precise_to_world() const;
 
     /// Returns whether rays can be transformed to object space. False for a map that is singular or
     /// not finite; its instance is never hit.

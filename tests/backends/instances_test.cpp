@@ -2,6 +2,7 @@
 // object space.
 #include "bench/hard_cases/hard_case.h"
 #include "core/intersect/placement.h"
+#include "core/numerics/transforms.h"
 #include "core/scene/transformed.h"
 #include "tests/backends/tracers.h"
 #include "tests/catch.h"
@@ -202,6 +203,69 @@ TEST_CASE("Given instances of all sizes and rays at their edges, none is culled 
         INFO("backend " << backend.name);
         CHECK(count_wrong(backend, geometry, rays, expected) == 0);
     }
+}
+
+namespace {
+
+/// Returns instances of a cube that are flattened or stretched between two rotations.
+Geometry cubes_of_condition(double condition, Random& random) {
+    const auto turn = [&] { return rotation(random.uniform(0, 360), random.direction()); };
+    Geometry geometry;
+    geometry.objects.resize(1);
+    geometry.objects[0].add(Box{Vec3(-1), Vec3(1)}, 0);
+    for (int i = 0; i < 8; ++i) {
+        const double thin = 1 / condition, other = i % 2 == 0 ? 1 : thin;
+        Affine map = turn() * scaling({1, thin, other}) * turn();
+        map.origin = 2.0 * random.in_cube();
+        geometry.instances.emplace_back(map, 0);
+    }
+    return geometry;
+}
+
+/// Returns a ray that passes an instance's most extreme corner along an axis, `outside` of it, from
+/// a distance. Both are in units of the instance's size.
+Ray ray_at_extreme(const Geometry& geometry, double distance, double outside, Random& random) {
+    const Affine map = geometry.instances[random.index(geometry.instances.size())].to_world();
+    const int k = random.axis();
+    const double side = random.sign();
+    const auto corner = [&](double along) { return std::copysign(1.0, side * along); };
+    const Vec3 row(map.x[k], map.y[k], map.z[k]);
+    Vec3 target = map.point({corner(row.x), corner(row.y), corner(row.z)}),
+         way = random.direction();
+    target[k] += side * outside * sum_abs(row);
+    way[k] = 0;
+    return {target - distance * sum_abs(row) * normalized(way), normalized(way)};
+}
+
+/// Compares all exact backends with the kernels. Returns the number of rays that hit.
+int check_all(const Geometry& geometry, const std::vector<Ray>& rays) {
+    std::vector<Hit> expected;
+    for (const Ray& ray : rays) expected.push_back(all_tested(geometry, ray));
+    for (const Backend& backend : exact_backends()) {
+        INFO("backend " << backend.name);
+        CHECK(count_wrong(backend, geometry, rays, expected) == 0);
+    }
+    return static_cast<int>(
+        std::ranges::count_if(expected, [](const Hit& hit) { return hit.primitive != no_index; }));
+}
+
+}  // namespace
+
+TEST_CASE("Given instances under maps of any condition number, none is culled that is hit",
+          "[instances]") {
+    int hits = 0;
+    for (const double condition : {1e2, 1e4, 1e5, 1e6, 1e7, 1e8, 1e10, 1e12, 1e13, 1e14}) {
+        CAPTURE(condition);
+        Random random(33);
+        const Geometry geometry = cubes_of_condition(condition, random);
+        std::vector<Ray> rays;
+        for (int i = 0; i < 600; ++i) {
+            const double inside = random.magnitude(-12, 0);
+            rays.push_back(ray_at_extreme(geometry, random.uniform(1, 5), -inside, random));
+        }
+        hits += check_all(geometry, rays);
+    }
+    CHECK(hits > 1000);
 }
 
 TEST_CASE("Given instances of empty objects, nothing is hit", "[instances]") {

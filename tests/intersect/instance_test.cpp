@@ -136,6 +136,27 @@ TEST_CASE("Instance: given a hit, then its point is on the image, with the image
     CHECK(hits > 300);
 }
 
+TEST_CASE("Instance: given any condition number, then the point of a hit is where the ray is") {
+    Random random(6);
+    int hits = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const double condition = random.magnitude(0, 12);
+        const Affine map = random_map(random, condition);
+        const Geometry geometry = sphere_under(map);
+        const double size = max_abs(map.x) + max_abs(map.y) + max_abs(map.z);
+        const Vec3 from = map.origin + 4 * size * random.direction();
+        const Ray ray{from, map.point(random.in_cube()) - from};
+        const double t = first_hit(geometry, key_of(0, 0), ray);
+        if (!(t <= infinity)) continue;
+        ++hits;
+        const SurfacePoint p = surface_at(geometry, ray, {t, 0, 0});
+        CAPTURE(i, condition);
+        REQUIRE(max_abs(p.position - (ray.origin + t * ray.direction)) <
+                64 * unit_roundoff * condition * (size + max_abs(from)));
+    }
+    CHECK(hits > 500);
+}
+
 TEST_CASE("Instance: given a ray that leaves one outward, then it does not hit it again") {
     Random random(4);
     int leaving = 0, again = 0;

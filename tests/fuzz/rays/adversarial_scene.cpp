@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/numerics/transforms.h"
 #include "core/scene/profiles.h"
 #include "core/scene/quadric_form.h"
 
@@ -133,9 +134,20 @@ class Maker {
         return {axis(first), axis((first + 1) % 3), axis((first + 2) % 3), origin};
     }
 
+    /// Returns a map of any condition number up to 1e14, whose axes are not aligned.
+    Affine ill_conditioned_map(const Vec3& origin) {
+        const auto turn = [&] { return rotation(random_.uniform(0, 360), random_.direction()); };
+        Vec3 factors(numbers_.length());
+        factors[random_.axis()] *= random_.magnitude(-14, 0);
+        if (random_.one_in(2)) factors[random_.axis()] *= random_.magnitude(-14, 0);
+        Affine map = turn() * scaling(factors) * turn();
+        map.origin = origin;
+        return map;
+    }
+
     void add_instance() {
         const auto object = static_cast<std::uint32_t>(random_.index(geometry_.objects.size()));
-        const Affine start = map(place());
+        const Affine start = random_.one_in(3) ? ill_conditioned_map(place()) : map(place());
         if (random_.one_in(3)) {
             geometry_.add_moving_instance({start, map(place()), {}}, object);
         } else {
