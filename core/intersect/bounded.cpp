@@ -99,8 +99,8 @@ SceneBounds SceneBounds::of(const Geometry& geometry, const InstancePadding& pad
 
     SceneBounds result;
     result.unbounded = std::move(sorted.all.unbounded);
-    result.space = NormalizedSpace(sorted.all.world);
     result.spread = sorted.instances.spread;
+    result.space = NormalizedSpace(sorted.all.world, sorted.instances.drift);
     result.bounded.resize(sorted.all.bounded);
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         bound(geometry, result.space, limit, begin, end,

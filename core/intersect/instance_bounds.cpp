@@ -14,6 +14,14 @@ namespace {
 
 constexpr std::size_t chunk_size = 1024;
 
+/// Half the scene's size with its boxes' margins, relative to that without.
+constexpr double room_for_margins = 1.5;
+
+/// Largest margin of a box, relative to that half size, that is small against the scene. Rays start
+/// at least 2 half sizes before their point nearest to the centre (see normalized_ray()), and with
+/// this margin all boxes are within 1.9 of it.
+constexpr double largest_margin = 1.0 / 16;
+
 const Box3& everywhere() {
     static const Box3 box(Vec3(-infinity), Vec3(infinity));
     return box;
@@ -101,14 +109,14 @@ struct UnpaddedBoxes {
 double pad(const Geometry& geometry, const Box3& world, const InstancePadding& padding,
            UnpaddedBoxes& unpadded, std::size_t begin, std::size_t end) {
     const Vec3 centre = world.center();
-    const double half = 1.5 * max_abs(world.max - centre);  // with room for the margins
+    const double half = room_for_margins * max_abs(world.max - centre);
     double spread = 1;
     for (std::size_t i = begin; i < end; ++i) {
         Box3& box = unpadded.boxes[i];
         if (box.isEmpty() || !is_bounded(box)) continue;
         const Roundings roundings =
             roundings_of(geometry, geometry.instances[i], unpadded.spreads[i], centre);
-        if (!(max_abs(margin_of(roundings, half, full_padding)) <= half / 8)) {
+        if (!(max_abs(margin_of(roundings, half, full_padding)) <= largest_margin * half)) {
             box = everywhere();
             continue;
         }
@@ -142,7 +150,9 @@ InstanceBounds instance_bounds(const Geometry& geometry, const Box3& others, dou
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         spreads[chunk] = pad(geometry, world, padding, unpadded, begin, end);
     });
-    return {std::move(unpadded.boxes), std::ranges::max(spreads)};
+    const double spread = std::ranges::max(spreads);
+    const double left_out = full_padding.roundings - padding.roundings;
+    return {std::move(unpadded.boxes), spread, room_for_margins * left_out * spread};
 }
 
 Box3 finite_bounds(const Geometry& geometry) {

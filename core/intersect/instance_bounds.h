@@ -10,6 +10,9 @@ namespace etalon {
 struct InstanceBounds {
     LargeVector<Box3> boxes;  ///< boxes in world space, one for each instance
     double spread = 1;        ///< largest component of spread() of all bounded instances
+    /// How far outside of their boxes rays that a space resolves may hit instances, as a fraction
+    /// of the scene's half size.
+    double drift = 0;
 };
 
 /// Returns a box in world space for each instance. It contains all points that rays can hit at any

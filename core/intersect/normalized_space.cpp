@@ -9,7 +9,7 @@ constexpr double furthest_origin = 0x1p1000;
 
 }  // namespace
 
-NormalizedSpace::NormalizedSpace(const Box3& world) {
+NormalizedSpace::NormalizedSpace(const Box3& world, double drift) {
     if (world.isEmpty()) return;
     centre_ = world.center();
     // Far from the origin the centre is rounded, so the two faces differ in distance from it.
@@ -17,7 +17,7 @@ NormalizedSpace::NormalizedSpace(const Box3& world) {
     const Vec3 half(std::max(above.x, below.x), std::max(above.y, below.y),
                     std::max(above.z, below.z));
     scale_ = power_of_two_reciprocal(max_abs(half)) / 2;
-    reach_ = half + Vec3(margin / scale_);
+    reach_ = half + Vec3(margin / scale_ + drift * max_abs(half));
 }
 
 Box3f NormalizedSpace::box(const Box3& world, double pad) const {

@@ -45,7 +45,9 @@ class NormalizedSpace {
     static constexpr double margin = 0x1p-14;
 
     NormalizedSpace() = default;
-    explicit NormalizedSpace(const Box3& world);
+
+    /// Hits of resolved rays may lie outside of `world` by `drift` times half its size.
+    explicit NormalizedSpace(const Box3& world, double drift = 0);
 
     /// Padding that a box needs around its content so that a float slab test, with a reciprocal
     /// good to 2.6 units of rounding, cannot miss what a double ray hits: u (7 |o| + 5 |b|) for u =
@@ -61,7 +63,7 @@ class NormalizedSpace {
     const Vec3& centre() const { return centre_; }
 
     /// Returns half the size of the box of all that is bounded, widened by `margin` (of normalized
-    /// space), in world units. Infinite where nothing is bounded.
+    /// space) and the drift, in world units. Infinite where nothing is bounded.
     const Vec3& reach() const { return reach_; }
 
     /// Maps a ray. A ray that starts far away is first advanced, in double, to the neighbourhood of

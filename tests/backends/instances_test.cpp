@@ -268,6 +268,24 @@ TEST_CASE("Given instances under maps of any condition number, none is culled th
     CHECK(hits > 1000);
 }
 
+TEST_CASE("Given instances of a large spread and rays from far away, none is culled that is hit",
+          "[instances]") {
+    int hits = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        CAPTURE(seed);
+        Random random(34, seed);
+        Geometry geometry = cubes_of_condition(3e5, random);
+        geometry.instances.resize(1, geometry.instances[0]);
+        std::vector<Ray> rays;
+        for (int i = 0; i < 200; ++i) {
+            const double outside = random.uniform(0, 5e-4);
+            rays.push_back(ray_at_extreme(geometry, random.uniform(8e6, 1.2e7), outside, random));
+        }
+        hits += check_all(geometry, rays);
+    }
+    CHECK(hits > 30);
+}
+
 TEST_CASE("Given instances of empty objects, nothing is hit", "[instances]") {
     Geometry geometry;
     geometry.objects.resize(1);
