@@ -1,6 +1,7 @@
 #include "core/intersect/kernels.h"
 
 #include "core/intersect/cut_outs.h"
+#include "core/intersect/distant_surface.h"
 #include "core/intersect/placement.h"
 #include "core/intersect/rescaled_ray.h"
 #include "core/intersect/shapes/all_shapes.h"
@@ -113,6 +114,17 @@ bool move_off_edges(const Geometry& object, const Instance& instance, const Surf
     });
 }
 
+/// Calls a shape's surface(), or the slow distant_surface() where the hit is far away.
+template <class Shape>
+SurfacePoint surface_of(const Geometry& geometry, const Shape& shape, Sides sides,
+                        const RayQuery& query, double t) {
+    if constexpr (HasThickness<Shape>) {
+        if (is_distant(shape, query.ray, t)) [[unlikely]]
+            return distant_surface(geometry, shape, sides, query.ray, t);
+    }
+    return surface(geometry, shape, query, t);
+}
+
 /// Returns a point of an instance. Kept out of line, so that points of the scene itself do not pay
 /// for it.
 [[gnu::noinline]] SurfacePoint surface_of_instance(const Geometry& geometry, const Ray& ray,
@@ -139,7 +151,7 @@ SurfacePoint surface_at(const Geometry& geometry, const Ray& ray, const Hit& hit
     const Primitive p = geometry.primitives[hit.primitive];
     const RayQuery query(ray);
     return with_shape(p.kind, [&]<class Shape>() {
-        SurfacePoint point = surface(geometry, geometry.get<Shape>(p), query, hit.t);
+        SurfacePoint point = surface_of(geometry, geometry.get<Shape>(p), p.sides, query, hit.t);
         point.primitive = hit.primitive;
         point.material = p.material;
         point.convexity = Shape::convexity;

@@ -62,10 +62,12 @@ std::vector<std::uint32_t> some_numbers(std::uint32_t count, bool all, Random& r
     return numbers;
 }
 
-/// These include rays with components so small that a RayQuery takes them as 0.
+/// These include rays with components so small that a RayQuery takes them as 0, and rays from very
+/// far away.
 Ray ray_at(const ShapeCase& shape, int i, Random& random) {
     Ray ray = aimed_ray(shape, i, random).ray;
     if (i % 50 == 0) ray.direction.x = 1e-200 * ray.direction.z;
+    if (i % 50 == 1) ray.origin -= random.magnitude(9, 20) * ray.direction;
     return ray;
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/intersect/shapes/box_lanes-inl.h"
 #include "core/intersect/shapes/plane.h"
+#include "core/intersect/shapes/thickness.h"
 #include "core/intersect/shapes/triangle_lanes-inl.h"
 #include "core/intersect/surface.h"
 
@@ -34,10 +35,18 @@ HWY_INLINE DoubleMask all_decided() {
     return hn::FirstN(DoubleTag(), most_doubles);
 }
 
+/// Returns the hits for which is_distant() is false.
+template <class Shape>
+HWY_INLINE DoubleMask are_near(const Shape& shape, const HitRays& hits) {
+    const Vec3Lanes way = abs(hits.t * hits.direction);
+    return hn::Max(way.x, hn::Max(way.y, way.z)) <=
+           broadcast(largest_thickness_ratio * thickness(shape));
+}
+
 HWY_INLINE SurfaceLanes surfaces(const Sphere& s, const SurfacePoint& any, const HitRays& hits) {
     const Vec3Lanes centre = broadcast(s.centre);
     const Vec3Lanes normal = normalized((hits.origin - centre) + hits.t * hits.direction);
-    return {centre + broadcast(s.radius) * normal, broadcast(any.error), normal, all_decided()};
+    return {centre + broadcast(s.radius) * normal, broadcast(any.error), normal, are_near(s, hits)};
 }
 
 HWY_INLINE SurfaceLanes surfaces(const Plane& p, const SurfacePoint& any, const HitRays& hits) {
@@ -60,7 +69,7 @@ HWY_INLINE SurfaceLanes surfaces(const StoredPolygon& p, const SurfacePoint& any
             all_decided()};
 }
 
-/// Computes points of a cone; that at an apex is left undecided.
+/// Computes points of a cone; that at an apex, and distant ones, are left undecided.
 HWY_INLINE SurfaceLanes surfaces(const Cone& c, const SurfacePoint& any, const HitRays& hits) {
     const Doubles zero = broadcast(0), one = broadcast(1);
     const Vec3 axis = c.top - c.base;
@@ -75,7 +84,8 @@ HWY_INLINE SurfaceLanes surfaces(const Cone& c, const SurfacePoint& any, const H
     const Vec3Lanes tilt = broadcast((spread / length) * axis);
     const Vec3Lanes normal = normalized(broadcast(length) * outward - tilt);
     const Doubles radius = broadcast(c.base_radius) + s * broadcast(spread);
-    return {base + s * h + radius * outward, broadcast(any.error), normal, distance > zero};
+    return {base + s * h + radius * outward, broadcast(any.error), normal,
+            hn::And(distance > zero, are_near(c, hits))};
 }
 
 /// Where lines cross the slabs of a box, one axis after another, and the axes of the last entries
