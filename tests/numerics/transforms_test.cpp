@@ -16,6 +16,13 @@ Affine random_map(Random& random) {
     return {x, y, z, random.in_cube()};
 }
 
+/// Returns a random rotation whose numbers are rounded to float.
+Affine float_rotation(Random& random) {
+    Affine map = rotation(random.uniform(0, 360), random.direction());
+    for (Vec3* column : {&map.x, &map.y, &map.z}) *column = Vec3(Vec3f(*column));
+    return map;
+}
+
 }  // namespace
 
 TEST_CASE("a quarter turn is right-handed and exact") {
@@ -75,5 +82,18 @@ TEST_CASE("normals stay perpendicular to what they stood on, on its outside") {
         CHECK(std::abs(moved.dot(m.vector(a))) < 1e-14 * max_abs(moved));
         CHECK(std::abs(moved.dot(m.vector(b))) < 1e-14 * max_abs(moved));
         CHECK(moved.dot(m.vector(out)) > 0);
+    }
+}
+
+TEST_CASE("a product of rotations and one scale has a scale, if rounded to float, but no more") {
+    Random random(8, 0);
+    for (int i = 0; i < 1000; ++i) {
+        const double factor = random.magnitude(-6, 6);
+        const Affine map = float_rotation(random) * float_rotation(random) * scaling(Vec3(factor)) *
+                           float_rotation(random) * float_rotation(random);
+        REQUIRE(scale_of(map));
+        REQUIRE(std::abs(*scale_of(map) / factor - 1) < 5e-7);
+        const Affine uneven = map * scaling({1, 1, 1.000004});
+        REQUIRE_FALSE(scale_of(uneven));
     }
 }
