@@ -14,7 +14,7 @@ namespace {
 /// u (1 + |o|) in normalized space (0.6 of that was seen), so a ray that leaves it at an angle
 /// meets it again before t = u (1 + |o|) / cosine, and one that ends before it may meet it, as
 /// shadow rays do at a light. The margin clears all rays except those within 1/128 of tangent, and
-/// loses contacts nearer than 1e-5 of the scene's size. Slivers are off by more.
+/// loses contacts nearer than 1e-5 to 2e-4 of the half size. Slivers are off by more.
 float margin(const NormalizedRay& ray) {
     constexpr float factor = 128 * unit_roundoff_f;
     const Vec3f& o = ray.origin;
