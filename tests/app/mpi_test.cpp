@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "core/image/io.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 #include "tests/sanitized.h"
@@ -48,6 +49,23 @@ std::string render_of(const std::string& task) {
 ProgramResult in_ranks(const Folder& f, int ranks, const std::string& command) {
     f.write("command", command);
     return f.shell(mpirun(ranks) + "sh command");
+}
+
+/// Writes a skybox, box, of six faces that take 12 MB each once they are read.
+void write_large_skybox(const Folder& f) {
+    constexpr int side = 2000;
+    const etalon::RenderedImage grey{
+        side,
+        side,
+        {{0, 0}, {side - 1, side - 1}},
+        std::vector<etalon::Color>(std::size_t{side} * side, etalon::Color(0.5F)),
+        true,
+        {}};
+    std::filesystem::create_directory(f.path("box"));
+    REQUIRE(etalon::write_image(f.path("box/front.png"), grey) == "");
+    for (const std::string face : {"back", "left", "right", "top", "bottom"}) {
+        std::filesystem::create_symlink("front.png", f.path("box/" + face + ".png"));
+    }
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -158,19 +176,7 @@ TEST_CASE("A rank whose memory an image does not fit into ends the rendering",
     const Folder f;
     SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
     SKIP_UNLESS(!is_sanitized, "memory cannot be limited");
-    f.write("png.py", R"(
-import struct, zlib
-n = 4000
-def chunk(name, data):
-    return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
-head = struct.pack(">2I5B", n, n, 8, 2, 0, 0, 0)
-rows = zlib.compress((bytes(1) + bytes([128]) * 3 * n) * n, 1)
-open("front.png", "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) +
-                              chunk(b"IDAT", rows) + chunk(b"IEND", b""))
-)");
-    REQUIRE(f.shell("mkdir box; cd box; python3 ../png.py; for i in back left right top bottom; do "
-                    "ln -s front.png $i.png; done")
-                .status == 0);
+    write_large_skybox(f);
     f.write("sky.p3f", small_scene + "env box\n");
     const std::string one = render_of("sky.p3f --spp 20") + " -t 1 -o a.exr";
     const auto r = f.shell("mpirun --allow-run-as-root --oversubscribe -n 1 " + one +
