@@ -96,7 +96,8 @@ TEST_CASE("Ranks share the tiles, and rank 0 alone speaks", "[app][needs_mpirun]
     const Folder f;
     SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
     f.write("ball.p3f", small_scene + "no_such_statement\n");
-    const std::string task = "'" ETALON_BINARY_DIR "/bin/etalon' render ball.p3f --spp 4096 -t 1 ";
+    const std::string task =
+        "'" ETALON_BINARY_DIR "/bin/etalon' render ball.p3f --resolution 160x96 --spp 2048 -t 1 ";
     REQUIRE(f.shell(task + "-q -o one.exr --stats one.json").status == 0);
     const auto r = f.shell(mpirun(3) + task + "-o many.exr --stats many.json");
     CHECK(r.status == 0);
@@ -111,8 +112,9 @@ TEST_CASE("Ranks share the tiles, and rank 0 alone speaks", "[app][needs_mpirun]
     CHECK(ranks["tiles"].size() == 3);
     CHECK(ranks["bytes_sent"] > 0);
     const std::vector<int> tiles = ranks["tiles"];
-    // Passes of 1, 2, 4, ... 4096 samples.
-    CHECK(std::accumulate(tiles.begin(), tiles.end(), 0) == 13 * 2 * 2);
+    for (const int of_rank : tiles) CHECK(of_rank > 0);
+    // Passes of 1, 2, 4, ... 2048 samples.
+    CHECK(std::accumulate(tiles.begin(), tiles.end(), 0) == 12 * 10 * 6);
 }
 
 TEST_CASE("Ranks write an image to the standard output of mpirun", "[app][needs_mpirun]") {
