@@ -19,7 +19,7 @@ namespace {
 
 /// A rendering that takes a second or less.
 const std::vector<std::string> tasks = {
-    "glass.p3f --spp 24",
+    "glass.p3f --spp 64",
     "soft_shadows.p3f --integrator path --spp 12 --filter gaussian",
     "lights.p3f --integrator ao --target-error 8e-4 --aov variance,albedo,sampleCount",
     "mirrors.p3f --integrator path --target-error 2e-2 --filter mitchell --spp 64",
@@ -28,9 +28,12 @@ const std::vector<std::string> tasks = {
 
 const std::string size = " --resolution 96x72 -t 2 -q ";
 
+std::string arguments(const std::string& task) {
+    return " render '" ETALON_SOURCE_DIR "/scenes/features/'" + task + size;
+}
+
 std::string render(const std::string& task) {
-    return "'" ETALON_BINARY_DIR "/bin/etalon' render '" ETALON_SOURCE_DIR "/scenes/features/'" +
-           task + size;
+    return "'" ETALON_BINARY_DIR "/bin/etalon'" + arguments(task);
 }
 
 /// Renders without interruption to whole.exr. Returns the time in seconds.
@@ -41,27 +44,42 @@ double render_whole(const Folder& f, const std::string& task) {
 
 /// Resumes without interruption and compares the file with that of an uninterrupted rendering.
 void check_resumed(const Folder& f, const std::string& task) {
-    const auto r = f.shell(render(task) + "-o image.exr --checkpoint c --resume");
+    const auto r = f.shell(render(task) + "-o image.exr --checkpoint c --resume --stats s.json");
     CAPTURE(task, r.err);
-    CHECK(r.status == 0);
+    REQUIRE(r.status == 0);
     CHECK(f.read("image.exr") == f.read("whole.exr"));
+    CHECK(json::parse(f.read("s.json"))["checkpoints"]["resumed_spp"] > 0);
 }
 
-/// Kills a rendering at random moments, resuming it each time, and at last resumes it to the end.
-void kill_at_random(const Folder& f, const std::string& task, int kills, std::mt19937& random) {
+const std::string checkpointed = "-o image.exr --checkpoint c --checkpoint-every 0.01 ";
+
+/// Writes a checkpoint of the first sample of each pixel. Returns its content.
+std::string render_first_checkpoint(const Folder& f, const std::string& task) {
+    REQUIRE(f.shell(render(task) + checkpointed + "--time-limit 1e-9").status == 0);
+    REQUIRE(f.has("c"));
+    return f.read("c");
+}
+
+/// Kills a rendering once it has a checkpoint and then at random moments, resuming it each time,
+/// and at last resumes it to the end. Returns how often it was killed before it had ended.
+int kill_at_random(const Folder& f, const std::string& task, int kills, std::mt19937& random) {
     const double seconds = render_whole(f, task);
     f.shell("rm -f c image.exr");
+    const auto first =
+        interrupted(f, "etalon" + arguments(task) + checkpointed, "test -s c", "KILL");
+    int killed = first.status == 128 + SIGKILL;
     std::uniform_real_distribution<double> moment(0.02, 0.05 + seconds);
-    for (int i = 0; i < kills; ++i) {
+    for (int i = 1; i < kills; ++i) {
         const char* signal = i % 4 == 3 ? "TERM" : "KILL";
-        const auto r =
-            f.shell(fmt::format("timeout -s {} {:.3f} ", signal, moment(random)) + render(task) +
-                    "-o image.exr --checkpoint c --checkpoint-every 0.01 --resume");
+        const auto r = f.shell(fmt::format("timeout -s {} {:.3f} ", signal, moment(random)) +
+                               render(task) + checkpointed + "--resume");
         const bool known = r.status == 0 || r.status == 124 || r.status == 128 + SIGKILL;
         CAPTURE(r.status, r.err);
         CHECK(known);
+        killed += r.status != 0;
     }
     check_resumed(f, task);
+    return killed;
 }
 
 /// Number of calls that may fail in a rendering that ends early and so writes its checkpoint at the
@@ -77,13 +95,17 @@ std::string with_fault(const std::string& fault) {
 TEST_CASE("A rendering killed at random moments gives the same file once resumed", "[app]") {
     const Folder f;
     std::mt19937 random(1);
-    for (const std::string& task : tasks) kill_at_random(f, task, 3, random);
+    int killed = 0;
+    for (const std::string& task : tasks) killed += kill_at_random(f, task, 3, random);
+    CHECK(killed > 0);
 }
 
 TEST_CASE("Two hundred kills leave the image as it would have been", "[app][long]") {
     const Folder f;
     std::mt19937 random(2);
-    for (const std::string& task : tasks) kill_at_random(f, task, 40, random);
+    int killed = 0;
+    for (const std::string& task : tasks) killed += kill_at_random(f, task, 40, random);
+    CHECK(killed > 20);
 }
 
 TEST_CASE("A kill at any call that writes a checkpoint leaves an old one or a new one",
@@ -92,12 +114,14 @@ TEST_CASE("A kill at any call that writes a checkpoint leaves an old one or a ne
     const Folder f;
     const std::string& task = tasks[1];
     render_whole(f, task);
+    render_first_checkpoint(f, task);
     int killed = 0;
     for (int call = 1; call <= calls_hit; call += 3) {
         const auto r = f.shell(with_fault(fmt::format("{}:kill ", call)) + render(task) +
-                               "-o image.exr --checkpoint c --checkpoint-every 0.01 --resume");
+                               checkpointed + "--resume");
         killed += r.status == 128 + SIGKILL;
         CHECK((r.status == 128 + SIGKILL || r.status == 0));
+        CHECK(f.has("c"));  // if it is damaged, the next run cannot resume it
     }
     CHECK(killed > 3);
     check_resumed(f, task);
@@ -108,19 +132,20 @@ TEST_CASE("A checkpoint that cannot be written is a warning, and the old one is 
     SKIP_UNLESS(!is_sanitized, no_preload);
     const Folder f;
     const std::string& task = tasks[0];
-    const double seconds = render_whole(f, task);
-    const std::string checkpointed = "-o image.exr --checkpoint c --checkpoint-every 0.01 ";
-    const auto first = f.shell(fmt::format("timeout -s TERM {:.3f} ", 0.03 + seconds / 2) +
-                               render(task) + checkpointed);
-    REQUIRE((first.status == 124 || first.status == 0));
-    const std::string old = f.read("c");
-    REQUIRE(old.size() > 1000);
+    render_whole(f, task);
+    const std::string old = render_first_checkpoint(f, task);
     for (const int error : {ENOSPC, EIO}) {
         for (const int call : {1, 2, 7, 20}) {
+            f.write("c", old);
             const auto r = f.shell(with_fault(fmt::format("{}+:{} ", call, error)) + render(task) +
                                    checkpointed + "--resume");
             CAPTURE(error, call, r.err);
-            if (call <= 4) CHECK(r.status == 4);  // the image takes four: it cannot be written
+            if (call <= 4) {  // a file takes four: none can be written
+                CHECK(r.status == 4);
+                CHECK(f.read("c") == old);
+                CHECK_THAT(r.err, ContainsSubstring("warning: checkpoint ") &&
+                                      ContainsSubstring("/c: cannot be written"));
+            }
             CHECK((r.status == 4) == (r.err.find("image.exr: cannot be written") != r.err.npos));
             check_resumed(f, task);
         }
@@ -136,8 +161,7 @@ TEST_CASE("Signals that interrupt calls, and writes of a part, leave files as th
     render_whole(f, task);
     for (const char* fault : {"4:4", "2%:4", "3%:4", "1+:half", "2%:half", "5%:half"}) {
         f.shell("rm -f c image.exr");
-        const auto r = f.shell(with_fault(std::string(fault) + " ") + render(task) +
-                               "-o image.exr --checkpoint c --checkpoint-every 0.01");
+        const auto r = f.shell(with_fault(std::string(fault) + " ") + render(task) + checkpointed);
         CAPTURE(fault, r.err);
         CHECK(r.status == 0);
         CHECK(r.err.empty());
