@@ -1,10 +1,12 @@
 // Compares the derivative of the shading normal with differences between nearby hits.
 #include <optional>
 
+#include "core/intersect/kernels.h"
 #include "core/intersect/normal_change.h"
 #include "core/intersect/parametrization.h"
 #include "core/intersect/placement.h"
 #include "core/intersect/surface.h"
+#include "core/numerics/random.h"
 #include "core/scene/profiles.h"
 #include "tests/catch.h"
 
