@@ -70,11 +70,15 @@ void check_shapes(int rays_each) {
             CAPTURE(shape.name);
             Random random(11);
             std::vector<Ray> rays;
+            int hits = 0;
             for (int i = 0; i < rays_each; ++i) {
                 Ray ray = aimed_ray(shape, i, random).ray;
-                limit(ray, hit_alone(shape.scene.geometry, ray), i);
+                const Hit hit = hit_alone(shape.scene.geometry, ray);
+                limit(ray, hit, i);
                 if (is_valid(ray)) rays.push_back(ray);
+                hits += hit.primitive == 0;
             }
+            CHECK(10 * hits > rays_each);
             require_same(shape.scene.geometry, rays);
         }
     });
