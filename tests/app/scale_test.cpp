@@ -4,6 +4,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "core/scene/instance.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 
@@ -56,8 +57,9 @@ std::string sheet(std::int32_t n) {
 TEST_CASE("an instance takes at most 190 bytes in all", "[app]") {
     constexpr std::size_t count = 100'000;
     const Folder f;
-    f.shell(ETALON_BINARY_DIR "/bin/etalon-scenes forest --size 1 -o one.pbrt");
-    f.shell(ETALON_BINARY_DIR "/bin/etalon-scenes forest --size 100000 -o many.pbrt");
+    const std::string forest = "'" ETALON_BINARY_DIR "/bin/etalon-scenes' forest --size ";
+    REQUIRE(f.shell(forest + "1 -o one.pbrt").status == 0);
+    REQUIRE(f.shell(forest + "100000 -o many.pbrt").status == 0);
     for (const char* backend : {"bvh", "grid"}) {  // Embree takes its memory in large blocks
         CAPTURE(backend);
         const auto one = memory_of(f, "one.pbrt", backend),
@@ -66,6 +68,8 @@ TEST_CASE("an instance takes at most 190 bytes in all", "[app]") {
             return many[what].get<double>() - one[what].get<double>();
         };
         CHECK(more("scene") + more("accelerator") <= 190.0 * count);
+        CHECK(more("scene") >= sizeof(etalon::Instance) * count);
+        CHECK(more("accelerator") >= 6 * sizeof(float) * count);  // a box at least
     }
 }
 
