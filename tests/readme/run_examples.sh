@@ -3,7 +3,8 @@
 #
 # Every ```sh block that uses build/bin runs, in order and in one shell, in a scratch folder that
 # looks like the project's, with BINARY as its build; the first command that fails ends the test.
-# The commands of ./dev that stand in any ```sh block must exist, and links must lead somewhere.
+# The commands of ./dev that stand in any ```sh block must exist, and links must lead to a file and,
+# where they name one, to a heading in it.
 set -euo pipefail
 
 source=$1 binary=$2 document=$3
@@ -46,12 +47,29 @@ check_dev_commands() {
     done
 }
 
+# The anchors that GitHub gives the headings of a file.
+anchors() {
+    awk '
+        /^```/ { inside = !inside }
+        inside || !/^#+ / { next }
+        {
+            sub(/^#+ +/, ""); anchor = tolower($0)
+            gsub(/[^a-z0-9 _-]/, "", anchor); gsub(/ /, "-", anchor)
+            print anchor (seen[anchor]++ ? "-" seen[anchor] - 1 : "")
+        }
+    ' "$1"
+}
+
 check_links() {
-    local folder link
+    local folder link file
     folder=$(dirname "$source/$document")
     # shellcheck disable=SC2013 # links have no spaces
-    for link in $(grep -o '](\([^)#]*\)' "$source/$document" | cut -c 3- | grep -v '^https\?:'); do
-        [[ -e $folder/$link ]] || fail "$link: no such file"
+    for link in $(grep -o ']([^)]*' "$source/$document" | cut -c 3- | grep -v '^https\?:'); do
+        file=$folder/${link%%#*}
+        [[ $link != '#'* ]] || file=$source/$document
+        [[ -e $file ]] || fail "$link: no such file"
+        [[ $link != *'#'* ]] || anchors "$file" | grep -xF -- "${link#*#}" >/dev/null ||
+            fail "$link: no such heading"
     done
 }
 
