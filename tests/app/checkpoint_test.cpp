@@ -61,23 +61,24 @@ std::string render_first_checkpoint(const Folder& f, const std::string& task) {
     return f.read("c");
 }
 
-/// Kills a rendering once it has a checkpoint and then at random moments, resuming it each time,
-/// and at last resumes it to the end. Returns how often it was killed before it had ended.
+/// Kills a rendering once it has a checkpoint and then at random moments, resuming it each time;
+/// after an end it begins anew. At last resumes it to the end. Returns how often it was killed.
 int kill_at_random(const Folder& f, const std::string& task, int kills, std::mt19937& random) {
-    const double seconds = render_whole(f, task);
-    f.shell("rm -f c image.exr");
-    const auto first =
-        interrupted(f, "etalon" + arguments(task) + checkpointed, "test -s c", "KILL");
-    int killed = first.status == 128 + SIGKILL;
-    std::uniform_real_distribution<double> moment(0.02, 0.05 + seconds);
-    for (int i = 1; i < kills; ++i) {
+    std::uniform_real_distribution<double> moment(0.02, 0.05 + render_whole(f, task));
+    int killed = 0;
+    bool is_new = true;
+    for (int i = 0; i < kills; ++i) {
+        if (is_new) f.shell("rm -f c image.exr");
         const char* signal = i % 4 == 3 ? "TERM" : "KILL";
-        const auto r = f.shell(fmt::format("timeout -s {} {:.3f} ", signal, moment(random)) +
-                               render(task) + checkpointed + "--resume");
+        const auto r =
+            is_new ? interrupted(f, "etalon" + arguments(task) + checkpointed, "test -s c", "KILL")
+                   : f.shell(fmt::format("timeout -s {} {:.3f} ", signal, moment(random)) +
+                             render(task) + checkpointed + "--resume");
         const bool known = r.status == 0 || r.status == 124 || r.status == 128 + SIGKILL;
         CAPTURE(r.status, r.err);
         CHECK(known);
-        killed += r.status != 0;
+        is_new = r.status == 0;
+        killed += !is_new;
     }
     check_resumed(f, task);
     return killed;
