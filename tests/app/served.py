@@ -51,6 +51,10 @@ class Served:
         with open("/proc/%d/statm" % self.process.pid) as file:
             return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
+    def open_files(self):
+        """Returns the number of files and connections that the program has open."""
+        return len(os.listdir("/proc/%d/fd" % self.process.pid))
+
     def state(self):
         return json.loads(self.ask("state.json")[2])
 
