@@ -36,8 +36,9 @@ TEST_CASE("render --integrator path sees indirect light also if the scene asks f
     const Folder f;
     const std::string world =
         "Sampler \"sobol\" \"integer pixelsamples\" 4 Film \"image\" \"integer xresolution\" 8 "
-        "\"integer yresolution\" 8 LookAt 0 2 4 0 0 0 0 1 0 Camera \"perspective\" WorldBegin "
-        "LightSource \"infinite\" Shape \"sphere\" Translate 0 -1 0 Shape \"disk\" WorldEnd\n";
+        "\"integer yresolution\" 8 LookAt 0 2 4 0 0 0 0 1 0 "
+        "Camera \"perspective\" \"float fov\" 30 WorldBegin LightSource \"infinite\" "
+        "Shape \"sphere\" Translate 0 0 -1 Shape \"disk\" \"float radius\" 5 WorldEnd\n";
     f.write("path.pbrt", world);
     f.write("direct.pbrt", "Integrator \"directlighting\"\n" + world);
     REQUIRE(f.etalon("render path.pbrt -o path.exr").status == 0);
