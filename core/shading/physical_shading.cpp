@@ -48,11 +48,12 @@ PhysicalShading::Traits PhysicalShading::traits_of(const PhysicalMaterial& mater
 }
 
 const Subsurface* PhysicalShading::textured_subsurface(const PhysicalSurface& at,
-                                                       std::optional<Subsurface>& room) const {
+                                                       Room<Subsurface>& room) const {
     const MaterialPoint point = material_point(at);
-    room = subsurface_at(scene_.physical().materials[material_below(at)], tables_,
-                         PointValues(textures_, {point.uv, point.position}));
-    return room ? &*room : nullptr;
+    const std::optional<Subsurface> found =
+        subsurface_at(scene_.physical().materials[material_below(at)], tables_,
+                      PointValues(textures_, {point.uv, point.position}));
+    return found ? &room.emplace([&] { return *found; }) : nullptr;
 }
 
 std::uint32_t PhysicalShading::material_below(const PhysicalSurface& at) const {
@@ -75,7 +76,7 @@ MaterialPoint PhysicalShading::material_point(const PhysicalSurface& at) const {
 }
 
 PhysicalShading::Scattering PhysicalShading::scattering(const PhysicalSurface& at,
-                                                        std::optional<LobeList>& room) const {
+                                                        Room<LobeList>& room) const {
     const Traits& traits = traits_[at.binding->material];
     if (!traits.needs_coordinates) return {{at.ng, at.ns}, *traits.lobes};
     const std::vector<PhysicalMaterial>& all = scene_.physical().materials;
@@ -83,7 +84,10 @@ PhysicalShading::Scattering PhysicalShading::scattering(const PhysicalSurface& a
     const MaterialPoint point = material_point(at);
     const BsdfFrame frame = bsdf_frame(material, all, textures_, point);
     if (traits.lobes) return {frame, *traits.lobes};
-    return {frame, room.emplace(lobes_at(material, all, textures_, {point.uv, point.position}))};
+    const auto make = [&] {
+        return lobes_at(material, all, textures_, {point.uv, point.position});
+    };
+    return {frame, room.emplace(make)};
 }
 
 }  // namespace etalon
