@@ -180,9 +180,8 @@ Action declare_accuracy(Options& options) {
     auto a = std::make_shared<AccuracyArguments>();
     options
         .add("--case", a->cases,
-             "Comma-separated list of cases: SPH, SPH-1, or \"SPH-1/1e3 radii, float\" (default: "
-             "all "
-             "of --list)")
+             "Comma-separated list of cases: SPH, SPH-1, or \"SPH-1/1e3 radii, float\" "
+             "(default: all of --list)")
         .value("CASE")
         .by_commas();
     options.add("--backends", a->backends, "Comma-separated list of backends")

@@ -140,9 +140,8 @@ void RenderRun::warn_of_missed_target(const Rendering& rendering) const {
     const std::string error =
         rendering.expected_error ? fmt::format("{:.2g}", *rendering.expected_error) : "unknown";
     print_message(
-        "{}: warning: relMSE {} expected after {:.1f} samples per pixel; --target-error {:g} needs "
-        "a "
-        "larger --spp\n",
+        "{}: warning: relMSE {} expected after {:.1f} samples per pixel; "
+        "--target-error {:g} needs a larger --spp\n",
         a_.scene.path, error, rendering.samples, a_.target_error);
 }
 

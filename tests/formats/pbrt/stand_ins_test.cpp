@@ -43,6 +43,22 @@ TEST_CASE("textures are nested until one value takes more than a thousand of the
     CHECK(said_of_world(nested_textures(40)).size() == 4);  // the count is reset each time
 }
 
+TEST_CASE("a camera that shows no area causes a warning") {
+    for (const char* camera :
+         {"\"perspective\" \"float fov\" 0", "\"orthographic\" \"float screenwindow\" [1 1 -1 1]",
+          "\"perspective\" \"float frameaspectratio\" 0"}) {
+        CAPTURE(camera);
+        const LoadResult r = load_scene_text(
+            std::string("Camera ") + camera + "\nWorldBegin Shape \"sphere\" WorldEnd\n", "a.pbrt");
+        REQUIRE(r.scene);
+        REQUIRE(r.diagnostics.size() == 1);
+        CHECK(to_string(r.diagnostics[0]) ==
+              "a.pbrt:1:1: warning: the image shows no area; a "
+              "window from -1 to 1 stands in");
+        CHECK(r.scene->camera.projective->window({200, 100}).width() == 4);
+    }
+}
+
 TEST_CASE("a mix whose materials may have more lobes than fit causes a warning") {
     std::string world;
     for (const char* name : {"a", "b", "c"}) {

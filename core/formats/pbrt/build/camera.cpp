@@ -104,8 +104,7 @@ void add_window(SceneBuilder& b, const Plugin& plugin, ProjectiveCamera& camera)
     camera.lens_radius = p.number("lensradius");
     camera.focal_distance = p.number("focaldistance");
     if (has_area(camera.window(b.result.settings.resolution))) return;
-    b.warn(plugin.where, "window",
-           "the image shows no area; a field of view of 90 degrees stands in");
+    b.warn(plugin.where, "window", "the image shows no area; a window from -1 to 1 stands in");
     camera.fixed_window.reset();
     camera.half_side = 1;
 }
