@@ -29,6 +29,14 @@ float highlight_at(const Material& material, const SeenSurfaces& surfaces, const
                                         surfaces.shading_normals[j], shadow.towards[i]));
 }
 
+/// Returns true if all shadow rays from number `first` on, before `last` and at most `count`, are
+/// blocked.
+bool are_blocked(const ShadowRays& shadow, std::size_t first, std::size_t last, std::size_t count) {
+    const auto from = shadow.blocked.begin() + static_cast<std::ptrdiff_t>(first);
+    return std::all_of(from, from + static_cast<std::ptrdiff_t>(std::min(last - first, count)),
+                       [](std::uint8_t is_blocked) { return is_blocked != 0; });
+}
+
 }  // namespace
 }  // namespace etalon
 #endif
@@ -85,7 +93,9 @@ std::uint32_t set_highlights(const Material& material, const SeenSurfaces& surfa
 
 void find(const Material& material, const SeenSurfaces& surfaces, const ShadowRays& shadow,
           std::size_t first, std::size_t last, PaddedColumn<float>& values) {
-    for (std::size_t i = first; i < last; i += hn::Lanes(DoubleTag())) {
+    const std::size_t lanes = hn::Lanes(DoubleTag());
+    for (std::size_t i = first; i < last; i += lanes) {
+        if (are_blocked(shadow, i, last, lanes)) continue;
         std::uint32_t left = set_highlights(material, surfaces, shadow, i, last, values);
         for (; left != 0; left &= left - 1) {
             const std::size_t k = i + std::countr_zero(left);

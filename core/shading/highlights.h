@@ -12,9 +12,9 @@ namespace etalon {
 double highlight(const Material& material, const Vec3& direction, const Vec3& normal,
                  const Vec3& towards);
 
-/// Sets values[i] to the highlight of each shadow ray in [first, last), rounded to float. These
-/// rays leave surfaces of one material. The bits are those of highlight(); several are computed at
-/// a time. `values` is padded.
+/// Sets values[i] to the highlight of each shadow ray in [first, last) that is not blocked, rounded
+/// to float, and that of others to anything. These rays leave surfaces of one material. The bits
+/// are those of highlight(); several are computed at a time. `values` is padded.
 void find_highlights(const Material& material, const SeenSurfaces& surfaces,
                      const ShadowRays& shadow, std::size_t first, std::size_t last,
                      PaddedColumn<float>& values);

@@ -12,8 +12,8 @@ namespace etalon {
 /// rounding errors of a double.
 inline constexpr double shadow_end = 1 - 0x1p-32;
 
-/// The rays to one light from those surfaces that scatter and face it, not yet tested for
-/// occlusion. They have the bits of spawn_ray_to(). Reused from batch to batch.
+/// The rays to one light from those surfaces that scatter and face it. They have the bits of
+/// spawn_ray_to(). Reused from batch to batch.
 class ShadowRays {
   public:
     /// Computes the rays. `lights` is a point of the light for each surface. A `fixed_bias` other
@@ -35,6 +35,7 @@ class ShadowRays {
     PaddedColumn<std::int64_t> surfaces;  ///< number of the surface
     Vec3Buffer towards;                   ///< unit vector to the light
     PaddedColumn<double> cosines;         ///< its dot product with the shading normal
+    std::vector<std::uint8_t> blocked;  ///< 1 if occluded: 0 until whoever traces the rays sets it
 
   private:
     RayBuffer rays_;

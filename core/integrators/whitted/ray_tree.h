@@ -35,8 +35,7 @@ class RayTree {
         Vec3Buffer light_points;     ///< that point
         ShadowRays shadow;
         std::vector<ShutterTime> shadow_times;
-        std::vector<std::uint8_t> blocked;  ///< 1 where the shadow ray is occluded
-        PaddedColumn<float> highlights;     ///< at the origin of each shadow ray
+        PaddedColumn<float> highlights;  ///< at the origin of each shadow ray
         std::vector<PaddedColor>
             reflected;                 ///< light reflected from a white light, for each surface
         std::vector<PaddedColor> lit;  ///< light reflected from all lights, for each surface

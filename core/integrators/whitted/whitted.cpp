@@ -141,7 +141,7 @@ void Whitted::reflect_light(RayTree::Level& level, const Add& add) const {
         const PaddedColor diffuse(m.diffuse), specular(m.specular);
         const auto reflect = [&](const auto& highlight) {
             for (std::size_t i = first; i < last; ++i) {
-                if (level.blocked[i] != 0) continue;
+                if (shadow.blocked[i] != 0) continue;
                 PaddedColor reflected = diffuse * static_cast<float>(shadow.cosines[i]);
                 highlight(i, reflected);
                 add(shadow.surface(i), reflected);
@@ -168,10 +168,9 @@ void Whitted::add_light(std::size_t light, int k, RayTree::Level& level, const R
     shadow.aim(surfaces, level.light_points, rules_.fixed_bias);
     RayStream rays = shadow.rays();
     take_traits(batch.rays, surfaces, shadow.surfaces.values, rays, level.shadow_times);
-    level.blocked.resize(rays.size());
-    intersector_.occluded(rays, level.blocked);
+    intersector_.occluded(rays, shadow.blocked);
     counts.shadow += shadow.size();
-    counts.shadow_blocked += std::ranges::count(level.blocked, 1);
+    counts.shadow_blocked += std::ranges::count(shadow.blocked, 1);
     reflect_light(level, add);
 }
 
