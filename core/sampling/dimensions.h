@@ -37,8 +37,12 @@ inline std::uint32_t ray_name(std::uint32_t parent, bool crosses) {
     return hash(parent, crosses ? other_side_ray : same_side_ray);
 }
 
+inline std::uint32_t light_choice(std::size_t light) {
+    return first_light + static_cast<std::uint32_t>(light);
+}
+
 inline std::uint32_t light_dimension(std::uint32_t ray, std::size_t light) {
-    return hash(ray, first_light + static_cast<std::uint32_t>(light));
+    return hash(ray, light_choice(light));
 }
 
 inline std::uint32_t occlusion_dimension(std::uint32_t ray) {

@@ -12,14 +12,18 @@ namespace etalon {
 class PointNames {
   public:
     void add(std::uint32_t seed, std::uint32_t index) {
-        if (size_ == seeds_.size()) {
-            for (auto* row : {&seeds_, &indices_}) row->resize(2 * size_ + SobolBatch::lanes);
-        }
+        if (size_ == seeds_.size()) make_room(2 * size_ + SobolBatch::lanes);
         seeds_[size_] = seed;
         indices_[size_] = index;
         ++size_;
     }
     void clear() { size_ = 0; }
+
+    /// Sets the number of names; those that are new are arbitrary.
+    void resize(std::size_t size) {
+        size_ = size;
+        if (padded_size() > seeds_.size()) make_room(2 * padded_size());
+    }
 
     std::size_t size() const { return size_; }
     std::size_t padded_size() const {
@@ -27,8 +31,14 @@ class PointNames {
     }
     const std::uint32_t* seeds() const { return seeds_.data(); }
     const std::uint32_t* indices() const { return indices_.data(); }
+    std::uint32_t* seeds() { return seeds_.data(); }
+    std::uint32_t* indices() { return indices_.data(); }
 
   private:
+    void make_room(std::size_t size) {
+        for (auto* row : {&seeds_, &indices_}) row->resize(size);
+    }
+
     std::size_t size_ = 0;
     std::vector<std::uint32_t> seeds_, indices_;
 };

@@ -66,6 +66,11 @@ class PixelSamples {
     /// Returns the seed of the sets of a dimension.
     std::uint32_t seed(std::uint32_t dimension) const { return hash(pixel_, dimension); }
 
+    /// Adds the vertex that ray `name` of sample number `index` hits.
+    void add_vertex(std::uint32_t name, std::uint32_t index, VertexNames& to) const {
+        to.add(pixel_, name, index);
+    }
+
   private:
     /// Mixes the seed's upper half into the pixel's name last, and only if it is not zero, so that
     /// seeds below 2^32 keep the points that they had when seeds were of 32 bits.
@@ -99,6 +104,11 @@ class SampleSource {
     void add_stratified(std::uint32_t dimension, std::uint32_t k, std::uint32_t parts,
                         SeededPoints& to) const {
         to.add(pixel_.seed(dimension), index_ * parts + k);
+    }
+
+    /// Adds the vertex that ray `name` of the sample hits.
+    void add_vertex(std::uint32_t name, VertexNames& to) const {
+        pixel_.add_vertex(name, index_, to);
     }
 
     /// Adds the choices at the vertex of that name to those that will be generated together.

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "core/sampling/dimensions.h"
 #include "tests/each_instruction_set.h"
 
 using namespace etalon;
@@ -108,6 +109,29 @@ TEST_CASE("Points made together are those made one by one", "[sampling]") {
                 }
                 CHECK(std::ranges::equal(batch.make(sampler), expected));
                 batch.clear();
+            }
+        }
+    });
+}
+
+TEST_CASE("Choices at many vertices named together are those of each sample", "[sampling]") {
+    for_each_target([] {
+        for (const Sampler sampler : {Sampler::sobol, Sampler::random}) {
+            VertexNames vertices;
+            SeededPoints points;
+            for (const std::uint32_t count : {0U, 1U, 15U, 16U, 17U, 100U}) {
+                const std::uint32_t light = count % 3, k = count % 4, parts = 4;
+                std::vector<Vec2> expected;
+                vertices.clear();
+                for (std::uint32_t i = 0; i < count; ++i) {
+                    const std::uint32_t ray = hash(i, count), index = hash(ray, 1);
+                    const PixelSamples pixel(static_cast<int>(i), 3, 5, sampler);
+                    const SampleSource source(pixel, index);
+                    expected.push_back(source.stratified(light_dimension(ray, light), k, parts));
+                    source.add_vertex(ray, vertices);
+                }
+                points.name(vertices, light_choice(light), k, parts);
+                CHECK(std::ranges::equal(points.make(sampler), expected));
             }
         }
     });

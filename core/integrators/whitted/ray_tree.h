@@ -31,6 +31,7 @@ class RayTree {
         std::vector<ShutterTime> secondary_times;
         std::vector<Color> incoming;  ///< radiance that the secondary rays bring back
 
+        VertexNames vertices;        ///< one for each surface, for its random choices
         SeededPoints light_samples;  ///< for a point of the light for each surface
         Vec3Buffer light_points;     ///< that point
         ShadowRays shadow;

@@ -107,9 +107,18 @@ void Whitted::find_surfaces(RayTree::Level& level, const RayBatch& batch,
     }
 }
 
+/// Finds the names of the surfaces' choices if there are any to make.
+void Whitted::name_vertices(RayTree::Level& level, const RayBatch& batch) const {
+    if (std::ranges::none_of(lights_, &LightSamples::is_random)) return;
+    level.vertices.clear();
+    for (const auto& traits : level.surfaces.traits) {
+        const RayPath& path = batch.paths[traits.ray];
+        batch.sources[path.sample].add_vertex(path.name, level.vertices);
+    }
+}
+
 /// Finds point number k of the light for each surface.
-void Whitted::find_light_points(std::size_t light, int k, RayTree::Level& level,
-                                const RayBatch& batch) const {
+void Whitted::find_light_points(std::size_t light, int k, RayTree::Level& level) const {
     const LightSamples& samples = lights_[light];
     const std::size_t count = level.surfaces.size();
     level.light_points.make_room(count);
@@ -118,12 +127,7 @@ void Whitted::find_light_points(std::size_t light, int k, RayTree::Level& level,
         for (std::size_t j = 0; j < count; ++j) level.light_points.set(j, position);
         return;
     }
-    level.light_samples.clear();
-    for (const auto& traits : level.surfaces.traits) {
-        const RayPath& path = batch.paths[traits.ray];
-        batch.sources[path.sample].add_stratified(light_dimension(path.name, light), k,
-                                                  samples.count(), level.light_samples);
-    }
+    level.light_samples.name(level.vertices, light_choice(light), k, samples.count());
     samples.find_positions(level.light_samples.make(sampler_), level.light_points);
 }
 
@@ -162,7 +166,7 @@ void Whitted::reflect_light(RayTree::Level& level, const Add& add) const {
 template <class Add>
 void Whitted::add_light(std::size_t light, int k, RayTree::Level& level, const RayBatch& batch,
                         RayCounts& counts, const Add& add) const {
-    find_light_points(light, k, level, batch);
+    find_light_points(light, k, level);
     const SeenSurfaces& surfaces = level.surfaces;
     ShadowRays& shadow = level.shadow;
     shadow.aim(surfaces, level.light_points, rules_.fixed_bias);
@@ -178,6 +182,7 @@ void Whitted::add_light(std::size_t light, int k, RayTree::Level& level, const R
 void Whitted::add_direct(RayTree::Level& level, const RayBatch& batch, RayCounts& counts) const {
     const std::size_t count = level.surfaces.size();
     level.lit.assign(count, {});
+    name_vertices(level, batch);
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const PaddedColor color(lights_[i].color());
         if (lights_[i].count() == 1) {

@@ -30,8 +30,8 @@ class Whitted final : public Integrator {
                RayCounts& counts) const;
     void find_surfaces(RayTree::Level& level, const RayBatch& batch, std::span<Color> colors) const;
     void add_direct(RayTree::Level& level, const RayBatch& batch, RayCounts& counts) const;
-    void find_light_points(std::size_t light, int k, RayTree::Level& level,
-                           const RayBatch& batch) const;
+    void name_vertices(RayTree::Level& level, const RayBatch& batch) const;
+    void find_light_points(std::size_t light, int k, RayTree::Level& level) const;
     template <class Add>
     void reflect_light(RayTree::Level& level, const Add& add) const;
     template <class Add>
