@@ -13,10 +13,12 @@
 #include <map>
 #include <span>
 
+#include "core/color/decode_srgb.h"
 #include "core/image/exr.h"
 #include "core/image/exr_zip.h"
 #include "core/image/image.h"
 #include "core/parallel/chunks.h"
+#include "core/parallel/spares.h"
 
 namespace etalon {
 namespace {
@@ -56,25 +58,6 @@ bool has_display_values(const RenderedImage& image) {
     return image.display_colors && image.keep_display_values;
 }
 
-/// Returns the colours that the file stores, in a copy if they are not those of the image.
-class FileColors {
-  public:
-    explicit FileColors(const RenderedImage& image) : colors_(image.pixels) {
-        if (!image.display_colors || image.keep_display_values) return;
-        decoded_ = image.pixels;
-        decode(decoded_);
-        colors_ = decoded_;
-    }
-    FileColors(const FileColors&) = delete;
-    FileColors& operator=(const FileColors&) = delete;
-
-    const Color* data() const { return colors_.data(); }
-
-  private:
-    std::vector<Color> decoded_;
-    std::span<const Color> colors_;
-};
-
 Imf::Header make_header(const RenderedImage& image) {
     Imf::Header header({{0, 0}, {image.width - 1, image.height - 1}}, image.window);
     header.compression() = Imf::ZIP_COMPRESSION;
@@ -98,50 +81,69 @@ Imf::Header make_header(const RenderedImage& image) {
 struct Plane {
     const std::uint8_t* first;
     std::size_t stride;
+    bool is_encoded = false;  ///< holds display values, but the file stores light
 };
 
 /// Returns the planes in the order of the file: by name.
-std::map<std::string, Plane> planes_of(const RenderedImage& image, const FileColors& colors) {
+std::map<std::string, Plane> planes_of(const RenderedImage& image) {
     std::map<std::string, Plane> planes;
     for (int k = 0; k < 3; ++k) {
-        const auto* first = reinterpret_cast<const std::uint8_t*>(&(*colors.data())[k]);
-        planes[color_names[k]] = {first, sizeof(Color)};
+        const auto* first = reinterpret_cast<const std::uint8_t*>(&(*image.pixels.data())[k]);
+        planes[color_names[k]] = {first, sizeof(Color),
+                                  image.display_colors && !image.keep_display_values};
     }
     for (const Channel& c : image.channels) planes[c.name] = {data(c), sizeof(float)};
     return planes;
 }
 
-/// Returns rows [begin, end) of the window as a file stores them: row by row, and in each the
-/// planes.
-Bytes gather(const std::map<std::string, Plane>& planes, std::size_t width, std::size_t begin,
-             std::size_t end) {
-    static_assert(std::endian::native == std::endian::little, "as in the file");
-    Bytes block((end - begin) * planes.size() * width * sizeof(float));
-    std::uint8_t* target = block.data();
-    for (std::size_t y = begin; y < end; ++y) {
-        for (const auto& [name, plane] : planes) {
-            const std::uint8_t* value = plane.first + y * width * plane.stride;
-            for (std::size_t x = 0; x < width; ++x) {
-                std::memcpy(target, value, sizeof(float));
-                target += sizeof(float);
-                value += plane.stride;
+/// Gathers and compresses blocks of rows. Keeps its memory from block to block.
+class BlockWriter {
+  public:
+    /// Returns rows [begin, end) of the window as the file stores them.
+    std::span<const std::uint8_t> operator()(const std::map<std::string, Plane>& planes,
+                                             std::size_t width, std::size_t begin,
+                                             std::size_t end) {
+        gather(planes, width, begin, end);
+        const auto bytes = std::as_bytes(std::span(block_));
+        return zip_({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    }
+
+  private:
+    /// Copies the values row by row, and in each row plane by plane.
+    void gather(const std::map<std::string, Plane>& planes, std::size_t width, std::size_t begin,
+                std::size_t end) {
+        static_assert(std::endian::native == std::endian::little, "as in the file");
+        block_.resize((end - begin) * planes.size() * width);
+        float* row = block_.data();
+        for (std::size_t y = begin; y < end; ++y) {
+            for (const auto& [name, plane] : planes) {
+                const std::uint8_t* value = plane.first + y * width * plane.stride;
+                for (std::size_t x = 0; x < width; ++x, value += plane.stride) {
+                    std::memcpy(row + x, value, sizeof(float));
+                }
+                if (plane.is_encoded) decode_srgb({row, width});
+                row += width;
             }
         }
     }
-    return block;
-}
+
+    std::vector<float> block_;  ///< the bits of all values, of integers too
+    ExrZip zip_;
+};
 
 /// Compresses the blocks on all threads. OpenEXR would start threads of its own in addition, and
 /// its compressor is slower.
 std::vector<Bytes> zipped_blocks(const RenderedImage& image) {
-    const FileColors colors(image);
-    const std::map<std::string, Plane> planes = planes_of(image, colors);
+    const std::map<std::string, Plane> planes = planes_of(image);
     const Imath::V2i last = image.window.size();
     const std::size_t width = static_cast<std::size_t>(last.x) + 1;
     const Chunks chunks(static_cast<std::size_t>(last.y) + 1, exr_zip_rows);
     std::vector<Bytes> blocks(chunks.number());
+    Spares<BlockWriter> writers;
     chunks.parallel_for_each([&](std::size_t i, std::size_t begin, std::size_t end) {
-        blocks[i] = zip_exr_block(gather(planes, width, begin, end));
+        const auto loan = writers.lend();
+        const auto block = (*loan)(planes, width, begin, end);
+        blocks[i].assign(block.begin(), block.end());
     });
     return blocks;
 }

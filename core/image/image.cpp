@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/color/decode_srgb.h"
 #include "core/color/srgb.h"
 #include "core/parallel/parallel.h"
 
@@ -58,10 +59,7 @@ std::vector<Color> display_pixels(const Image& image) {
 
 void decode(std::vector<Color>& display_values) {
     parallel_for(display_values.size(), 1024, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            Color& c = display_values[i];
-            c = {decoded(c.x), decoded(c.y), decoded(c.z)};
-        }
+        decode_srgb({&display_values[begin].x, 3 * (end - begin)});
     });
 }
 
