@@ -42,6 +42,23 @@ TEST_CASE("an EXR read back is the image, bit for bit") {
     CHECK(folder.names() == std::vector<std::string>{"p.exr"});
 }
 
+TEST_CASE("noise is stored as it is, and what compresses is compressed") {
+    constexpr int width = 100, rows = 5 * 16;
+    RenderedImage rendered = random_image(width, rows);
+    for (int i = 2 * 16 * width; i < 3 * 16 * width; ++i) {
+        rendered.pixels[i] = Color(static_cast<float>(i % width) / width);
+    }
+    const Result<std::string> file = encode_exr(rendered);
+    REQUIRE(file.error == "");
+    const std::size_t block = 16 * width * sizeof(Color);
+    CHECK(file.value.size() > 4 * block);
+    CHECK(file.value.size() < 4 * block + block / 4);
+
+    const TemporaryFolder folder;
+    REQUIRE(write_image(folder / "p.exr", rendered) == "");
+    CHECK(same_pixels(rendered, read_image(folder / "p.exr").value));
+}
+
 TEST_CASE("a crop is a data window inside the frame, and reads back as its own pixels") {
     const TemporaryFolder folder;
     const Imath::Box2i window = GENERATE(Imath::Box2i({0, 0}, {0, 0}), Imath::Box2i({9, 7}, {9, 7}),
