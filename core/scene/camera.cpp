@@ -2,11 +2,14 @@
 
 namespace etalon {
 
-ImageWindow ProjectiveCamera::window(const Imath::V2i& resolution) const {
-    if (fixed_window) return *fixed_window;
-    const double aspect = static_cast<double>(resolution.x) / resolution.y;
+ImageWindow centred_window(double half_side, double aspect) {
     const Vec2 half = half_side * (aspect > 1 ? Vec2(aspect, 1) : Vec2(1, 1 / aspect));
     return {-half.x, half.x, -half.y, half.y};
+}
+
+ImageWindow ProjectiveCamera::window(const Imath::V2i& resolution) const {
+    if (fixed_window) return *fixed_window;
+    return centred_window(half_side, static_cast<double>(resolution.x) / resolution.y);
 }
 
 }  // namespace etalon

@@ -40,14 +40,17 @@ struct ImageWindow {
     double height() const { return top - bottom; }
 };
 
+/// Returns the window about the axis of some aspect ratio whose shorter side is twice `half_side`.
+ImageWindow centred_window(double half_side, double aspect);
+
 /// A camera in a space of its own: x to the right, y up, looking along z. Any affine map, mirroring
 /// or not, takes it to world space.
 struct ProjectiveCamera {
     Projection projection = Projection::perspective;
     Affine to_world;  ///< for a moving camera: at the time at which the shutter opens
     /// The part of the plane z = 1 that the image shows, if it is fixed; unused by
-    /// Projection::environment. If it is not, it is symmetric, its shorter side is twice
-    /// `half_side` and its aspect ratio is the image's.
+    /// Projection::environment. If it is not, it is the centred window of `half_side` and the
+    /// image's aspect ratio.
     std::optional<ImageWindow> fixed_window{};
     double half_side = 1;
     double lens_radius = 0;

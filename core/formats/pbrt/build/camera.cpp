@@ -17,9 +17,7 @@ std::optional<ImageWindow> fixed_window(const Parameters& p, double half_side) {
                            given[3] * half_side};
     }
     if (!p.is_given("frameaspectratio")) return std::nullopt;
-    const double aspect = p.number("frameaspectratio");
-    const Vec2 half = half_side * (aspect > 1 ? Vec2(aspect, 1) : Vec2(1, 1 / aspect));
-    return ImageWindow{-half.x, half.x, -half.y, half.y};
+    return centred_window(half_side, p.number("frameaspectratio"));
 }
 
 /// Returns whether a window has an area that rays can be distributed over.
