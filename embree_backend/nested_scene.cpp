@@ -68,49 +68,52 @@ class NestFinder {
     std::vector<NestedSceneItems> found_;
 };
 
-Box3 box_of(const Geometry& geometry, const FineBoxes& fine,
+Box3 box_of(const Geometry& geometry, const NestedSceneData& shared,
             const std::vector<std::uint32_t>& items) {
     Box3 all;
-    for (const std::uint32_t item : items) all.extendBy(fine.boxes[geometry.instance_number(item)]);
+    for (const std::uint32_t item : items)
+        all.extendBy(shared.boxes[geometry.instance_number(item)]);
     return all;
 }
 
 }  // namespace
 
-FineBoxes::FineBoxes(const Geometry& geometry, const NormalizedSpace& space)
+NestedSceneData::NestedSceneData(const Geometry& geometry, const Intersector& instances,
+                                 const NormalizedSpace& space)
     : centre(space.centre()),
       scale(space.scale()),
       boxes(instance_bounds(geometry,
                             Box3(space.centre() - space.reach(), space.centre() + space.reach()),
                             FurthestItems::no_limit, nest_padding)
-                .boxes) {}
+                .boxes),
+      objects(instances.object_spaces()) {}
 
-bool FineBoxes::hold_for(const Ray& ray) const {
+bool NestedSceneData::hold_for(const Ray& ray) const {
     return max_abs(ray.origin - centre) * scale < largest_distance;
 }
 
 NestedScene::NestedScene(const EmbreeDevice& device, const Geometry& geometry,
                          const Intersector& instances, const std::vector<UserView>* objects,
-                         const std::shared_ptr<const FineBoxes>& fine,
+                         const std::shared_ptr<const NestedSceneData>& shared,
                          std::vector<std::uint32_t> items)
     : instances_(instances),
-      fine_(fine),
+      shared_(shared),
       items_(std::move(items)),
-      space_(box_of(geometry, *fine, items_)),
+      space_(box_of(geometry, *shared, items_)),
       primitives_(geometry, instances, objects),
       embree_scene_(rtcNewScene(device.handle())) {
     device.check();
     std::vector<BoundedPrimitive> bounded;
     bounded.reserve(items_.size());
     for (const std::uint32_t item : items_) {
-        const Box3& box = fine->boxes[geometry.instance_number(item)];
+        const Box3& box = shared->boxes[geometry.instance_number(item)];
         bounded.emplace_back(space_.box(box), item, instance_kind);
     }
-    primitives_.build(device, embree_scene_.get(), 0, space_, std::move(bounded), fine);
+    primitives_.build(device, embree_scene_.get(), 0, space_, std::move(bounded), shared);
 }
 
 bool NestedScene::resolves(const Ray& ray) const {
-    return fine_->hold_for(ray) && is_resolved(space_, ray);
+    return shared_->hold_for(ray) && is_resolved(space_, ray);
 }
 
 void NestedScene::offer(const RayQuery& query, NearestHit& nearest) const {

@@ -7,17 +7,23 @@
 
 namespace etalon {
 
-/// Boxes of instances in double, shared by the nested scenes of one scene.
-struct FineBoxes {
-    FineBoxes(const Geometry& geometry, const NormalizedSpace& space);
+/// What the nested scenes of one scene share.
+struct NestedSceneData {
+    NestedSceneData(const Geometry& geometry, const Intersector& instances,
+                    const NormalizedSpace& space);
 
     /// Returns whether the boxes contain all that the ray can hit: not if it starts far from the
     /// scene.
     bool hold_for(const Ray& ray) const;
 
-    Vec3 centre;              ///< of the scene
-    double scale;             ///< of its normalized space
-    LargeVector<Box3> boxes;  ///< one for each instance
+    std::size_t memory_bytes() const {
+        return boxes.capacity() * sizeof(Box3) + objects.capacity() * sizeof(ObjectSpace);
+    }
+
+    Vec3 centre;                       ///< of the scene
+    double scale;                      ///< of its normalized space
+    LargeVector<Box3> boxes;           ///< one for each instance, in double
+    std::vector<ObjectSpace> objects;  ///< spaces of the intersectors of all objects
 };
 
 /// An Embree scene of instances that are so small, and so near each other, that the padding of
@@ -28,7 +34,8 @@ class NestedScene {
     /// `objects` is as for UserPrimitives. `items` are the numbers of the instances among the
     /// geometry's items, ascending.
     NestedScene(const EmbreeDevice& device, const Geometry& geometry, const Intersector& instances,
-                const std::vector<UserView>* objects, const std::shared_ptr<const FineBoxes>& fine,
+                const std::vector<UserView>* objects,
+                const std::shared_ptr<const NestedSceneData>& shared,
                 std::vector<std::uint32_t> items);
 
     /// Offers `nearest` those of its instances that the ray may hit.
@@ -44,7 +51,7 @@ class NestedScene {
     bool resolves(const Ray& ray) const;
 
     const Intersector& instances_;
-    std::shared_ptr<const FineBoxes> fine_;
+    std::shared_ptr<const NestedSceneData> shared_;
     std::vector<std::uint32_t> items_;
     NormalizedSpace space_;
     UserPrimitives primitives_;

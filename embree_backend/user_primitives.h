@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-struct FineBoxes;
+struct NestedSceneData;
 class NestedScene;
 
 /// Primitives of which Embree knows only the boxes: those of clusters, and of single primitives
@@ -30,11 +30,11 @@ class UserPrimitives {
     static constexpr unsigned geometries = 3;
 
     /// Attaches `primitives`, in this normalized space, to `target` as geometries from the number
-    /// `first` on, and builds `target` with whatever else is in it. `fine` is not null if they are
-    /// in a nested scene already.
+    /// `first` on, and builds `target` with whatever else is in it. `shared` is not null if they
+    /// are in a nested scene already.
     void build(const EmbreeDevice& device, RTCScene target, unsigned first,
                const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives,
-               std::shared_ptr<const FineBoxes> fine = nullptr);
+               std::shared_ptr<const NestedSceneData> shared = nullptr);
 
     bool empty() const { return empty_; }
     std::size_t memory_bytes() const;
@@ -54,7 +54,8 @@ class UserPrimitives {
   private:
     /// Puts a nested scene's box in the place of its instances.
     void make_nests(const EmbreeDevice& device, const NormalizedSpace& space,
-                    std::shared_ptr<const FineBoxes> fine, std::vector<BoundedPrimitive>& singles);
+                    std::shared_ptr<const NestedSceneData> shared,
+                    std::vector<BoundedPrimitive>& singles);
 
     const Geometry& geometry_;
     const Intersector& instances_;
@@ -62,7 +63,8 @@ class UserPrimitives {
     bool empty_ = true;
     Clusters clusters_;
     PrimitiveIds singles_;
-    std::vector<ObjectSpace> objects_;
+    std::vector<ObjectSpace> objects_;                        ///< empty in a nested scene
+    std::shared_ptr<const NestedSceneData> made_for_nested_;  ///< null in a nested scene
     std::vector<std::unique_ptr<const NestedScene>> nested_scenes_;
     std::optional<UserView> view_;
     UserTracing tracing_ = user_tracing();
