@@ -4,7 +4,8 @@
 
 namespace {
 
-// To add a subcommand: one file that declares and runs it, one line here.
+// To add a subcommand: its file, a line of CMakeLists.txt, its declaration in subcommands.h, and a
+// line here.
 constexpr etalon::Command commands[] = {
     {"render",
      "Render a scene to EXR and PNG",

@@ -112,7 +112,7 @@ void add_shape(Scene& scene, double size, Sides sides, Random& random) {
 ShapeKind any_kind(const RandomSceneConfig& plan, Random& random) {
     if (!plan.kinds.empty()) return plan.kinds[random.index(plan.kinds.size())];
     const auto kind = static_cast<ShapeKind>(random.index(shape_kinds));
-    // Only one in fifty is a plane, since planes hide the rest.
+    // Only one in a hundred is a plane, since planes hide the rest.
     return kind == kind_of<Plane>() && random.index(8) != 0 ? kind_of<Sphere>() : kind;
 }
 

@@ -6,7 +6,6 @@
 #include <array>
 #include <vector>
 
-#include "core/formats/degenerate.h"
 #include "core/formats/nearest_name.h"
 #include "core/numerics/rounding.h"
 
@@ -161,7 +160,7 @@ void check_lens(Reader& in, Camera& c) {
     }
 }
 
-void skip_degenerate(SceneLoader& loader, std::size_t start, std::string why) {
+void skip_camera(SceneLoader& loader, std::size_t start, std::string why) {
     if (loader.unusable_camera) {
         loader.in.warn_at(start, "camera", "{}; this camera is left out", why);
     } else {
@@ -178,7 +177,7 @@ void read_resolution(Reader& in, CameraBlock& b) {
 
 void finalize_camera(SceneLoader& loader, CameraBlock block, const std::string& missing) {
     std::string why = missing.empty() ? check_camera(block) : "the camera has no " + missing;
-    if (!why.empty()) return skip_degenerate(loader, block.start, std::move(why));
+    if (!why.empty()) return skip_camera(loader, block.start, std::move(why));
     Reader& in = loader.in;
     if (loader.has_camera) in.warn("camera", "a second camera; it replaces the first");
     check_lens(in, block.camera);

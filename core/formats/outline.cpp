@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "core/formats/degenerate.h"
+#include "core/formats/polygon_normal.h"
 #include "core/numerics/orientation.h"
 
 namespace etalon {

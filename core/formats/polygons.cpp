@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/formats/degenerate.h"
+#include "core/formats/polygon_normal.h"
 #include "core/formats/scene_loader.h"
 #include "core/numerics/rounding.h"
 

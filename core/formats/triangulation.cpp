@@ -1,8 +1,8 @@
 #include "core/formats/triangulation.h"
 
-#include "core/formats/degenerate.h"
 #include "core/formats/ear_clipping.h"
 #include "core/formats/outline.h"
+#include "core/formats/polygon_normal.h"
 
 namespace etalon {
 namespace {

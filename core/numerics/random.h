@@ -1,5 +1,5 @@
-// The random generator of tests, cross-checks and benches: so small that every ray of millions has
-// its own and can be generated again from its number alone.
+// A random generator so small that every ray of millions has its own and can be generated again
+// from its number alone.
 #pragma once
 
 #include <cmath>

@@ -19,9 +19,10 @@ struct RaySet {
 
 inline constexpr std::array ray_kinds = {"camera", "bounce", "shadow", "aimed", "random"};
 
-/// At most about `limit` rays of one of ray_kinds, hits found with `exact`:
-///   camera  pixel centres of an image of this resolution, evenly thinned, in tiles of 16 x 16
-///   when all are taken bounce  from each camera hit, cosine-distributed, on the side of the camera
+/// Returns at most about `limit` rays of one of ray_kinds, with hits found by `exact`:
+///   camera  through pixel centres of an image of this resolution, evenly thinned; in tiles of
+///           16 x 16 if all are taken
+///   bounce  from each camera hit, cosine-distributed, on the side of the camera
 ///   shadow  from each camera hit to each light in turn
 ///   aimed   at what there is to aim at on the scene's shapes, and at borders between primitives
 ///           as the camera sees them: see core/test_rays/aimed_rays.h

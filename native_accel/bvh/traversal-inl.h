@@ -1,9 +1,9 @@
 // Traversal from node to node of the tree. Compiled for each instruction set.
-#if defined(ETALON_BVH_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef ETALON_BVH_WALK_INL_H
-#undef ETALON_BVH_WALK_INL_H
+#if defined(ETALON_BVH_TRAVERSAL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ETALON_BVH_TRAVERSAL_INL_H
+#undef ETALON_BVH_TRAVERSAL_INL_H
 #else
-#define ETALON_BVH_WALK_INL_H
+#define ETALON_BVH_TRAVERSAL_INL_H
 #endif
 
 #include "native_accel/bvh/stack.h"

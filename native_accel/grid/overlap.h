@@ -15,7 +15,7 @@ struct BoxItem {
 
 struct SphereItem {
     Box3f box;
-    std::uint32_t id;  ///< number in Scene::primitives
+    std::uint32_t id;  ///< number in Geometry::primitives
     Vec3 centre;
     double radius;
 };

@@ -26,7 +26,7 @@ struct alignas(32) SpherePack {
 
     std::array<Lanes, 3> centre;
     Lanes limit;  ///< largest squared distance of a ray from the centre that passes the filter
-    std::array<std::uint32_t, cluster_lanes> ids;  ///< numbers in Scene::primitives
+    std::array<std::uint32_t, cluster_lanes> ids;  ///< numbers in Geometry::primitives
 };
 
 /// Returns the square of a reach, for the distance of a centre from the ray as a vector in a plane

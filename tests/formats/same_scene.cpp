@@ -4,7 +4,7 @@
 #include <tuple>
 #include <variant>
 
-#include "core/formats/degenerate.h"
+#include "core/formats/polygon_normal.h"
 #include "core/numerics/rounding.h"
 
 namespace etalon {

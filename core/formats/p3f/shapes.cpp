@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/formats/degenerate.h"
 #include "core/formats/p3f/p3f_loader.h"
+#include "core/formats/polygon_normal.h"
 #include "core/numerics/rounding.h"
 
 namespace etalon::p3f {

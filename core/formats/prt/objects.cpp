@@ -1,7 +1,7 @@
 // surface, hsphere, ring and quadric. Those that cannot be seen are left out with a warning.
 #include <algorithm>
 
-#include "core/formats/degenerate.h"
+#include "core/formats/polygon_normal.h"
 #include "core/formats/prt/prt_loader.h"
 
 namespace etalon::prt {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/formats/degenerate.h"
 #include "core/formats/file_text.h"
+#include "core/formats/polygon_normal.h"
 #include "core/formats/sce/sce_loader.h"
 #include "core/numerics/transforms.h"
 

@@ -1,7 +1,6 @@
 // The camera and the image: the last value counts; the matrix has no effect.
 #include <cmath>
 
-#include "core/formats/degenerate.h"
 #include "core/formats/sce/sce_loader.h"
 #include "core/numerics/rounding.h"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/formats/degenerate.h"
+#include "core/formats/polygon_normal.h"
 #include "core/numerics/rounding.h"
 
 namespace etalon {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "core/formats/degenerate.h"
+#include "core/formats/polygon_normal.h"
 #include "core/formats/write/exact_endpoint.h"
 #include "core/formats/write/facets.h"
 #include "core/formats/write/mesh_run.h"

@@ -1,4 +1,4 @@
-#include "core/formats/degenerate.h"
+#include "core/formats/polygon_normal.h"
 
 #include "core/numerics/rounding.h"
 

@@ -1,5 +1,5 @@
-// Tests for shapes that cannot be seen. All are exact: no tolerance, and the same answer
-// for a scene scaled by a power of two.
+// Normals of shapes as files state them or as their corners imply. Each answer is the same for a
+// scene scaled by a power of two.
 #pragma once
 
 #include <span>
