@@ -49,7 +49,7 @@ std::pair<std::string, int> check_output(const ConvertArguments& a) {
 bool tolerates(const ConvertArguments& a, const WrittenScene& written) {
     const bool strict = a.scene.options.strict;
     for (const ConversionWarning& warning : written.lost) {
-        print_message("{}: {}: {} has no word for {} ({})\n", a.scene.path,
+        print_message("{}: {}: {} cannot express {} ({})\n", a.scene.path,
                       strict ? "error" : "warning", written.format, warning.what, warning.count);
     }
     return written.lost.empty() || !strict;

@@ -45,7 +45,7 @@ constexpr etalon::Command commands[] = {
     {"convert",
      "Write a scene in another format",
      etalon::declare_convert,
-     {{{"scene.p3f -o scene.pbrt", "Write PBRT; warn of what it cannot say"},
+     {{{"scene.p3f -o scene.pbrt", "Write PBRT; warn of what it cannot express"},
        {"scene.p3f -o again.p3f --strict", "Write P3F, or fail if anything would be lost"}}}},
     {"merge",
      "Merge parts of an image: shares of its samples, crops, other seeds",

@@ -23,14 +23,14 @@ std::unique_ptr<Intersector> build_robust(const Geometry& geometry) {
 constexpr Backend backends[] = {
     {"embree", "Embree's hierarchy over the exact kernels", true, build<EmbreeUserGeometry>, false,
      false, 6},
-    {"embree-user", "Embree's user geometry, one primitive a callback: the witness", true,
-     build<PlainUserGeometry>, false, false, 4},
+    {"embree-user", "Embree's user geometry, one primitive per callback: the independent check",
+     true, build<PlainUserGeometry>, false, false, 4},
     {"embree-builtin", "Embree's own float triangles, quads, spheres and instances", false,
      build<EmbreeBuiltin>, false, false, 2, EmbreeBuiltin::has_own_kernels},
 };
 
 constexpr Backend robust = {"embree-builtin-robust",
-                            "The same, traversed with more care",
+                            "the same with RTC_SCENE_FLAG_ROBUST",
                             false,
                             build_robust,
                             false,

@@ -13,8 +13,8 @@ std::unique_ptr<Intersector> build(const Geometry& geometry) {
 }
 
 constexpr Backend backends[] = {
-    {"none", "every primitive for every ray: the reference", true, build<None>, true, true},
-    {"grid", "grids within grids, walked by a 3D-DDA", true, build<Grid>, true, true, 3},
+    {"none", "tests every primitive for every ray: the reference", true, build<None>, true, true},
+    {"grid", "nested grids, traversed by a 3D-DDA", true, build<Grid>, true, true, 3},
     {"bvh", "bounding volume hierarchy by binned SAH, eight-wide", true, build<Bvh>, true, true, 1},
 };
 

@@ -40,7 +40,7 @@ std::string description_of(const CLI::Option& option) {
     for (const CLI::Option* other : option.get_excludes()) others.push_back(other->get_name());
     if (!others.empty()) text += fmt::format(". Not with {}", fmt::join(others, " or "));
     const std::string value = option.get_default_str();
-    return value.empty() ? text : fmt::format("{}. Default: {}", text, spaced(value));
+    return value.empty() ? text : fmt::format("{} (default: {})", text, spaced(value));
 }
 
 std::string usage_of(const CLI::App& command, const std::string& name) {

@@ -16,12 +16,13 @@ LookFacts facts_of(const WhittedLook& look) {
     const auto any = [&](bool (*test)(const Material&)) {
         return std::ranges::any_of(look.materials, test);
     };
-    facts.need(any([](const Material& m) { return m.reflection != Color(0.0F); }), "mirrored rays");
+    facts.need(any([](const Material& m) { return m.reflection != Color(0.0F); }),
+               "reflected rays");
     facts.need(any([](const Material& m) { return m.transmission != Color(0.0F); }),
                "refracted rays");
     facts.need(any([](const Material& m) { return m.absorption != Color(0.0F); }), "absorption");
     facts.need(facts.lights.contains("quad"), "area light samples");
-    facts.need(look.environment.skybox.has_value(), "pictures");
+    facts.need(look.environment.skybox.has_value(), "images");
     return facts;
 }
 
@@ -32,7 +33,7 @@ LookFacts facts_of(const PhysicalLook& look) {
     for (const PhysicalLight& light : look.lights) facts.count_light(kinds[light.index()]);
     facts.need(facts.lights.contains("area"), "area light samples");
     facts.need(!look.textures.numbers.empty() || !look.textures.colors.empty(), "textures");
-    facts.need(!look.textures.images.empty(), "pictures");
+    facts.need(!look.textures.images.empty(), "images");
     facts.need(!look.media.empty(), "media");
     return facts;
 }

@@ -15,7 +15,7 @@ struct LookFacts {
     std::size_t materials = 0;
     nlohmann::ordered_json lights = nlohmann::ordered_json::object();  ///< number of each kind
     nlohmann::ordered_json background{}, skybox{};  ///< null if the look has none
-    std::vector<std::string> needs{};               ///< "mirrored rays", "lens samples", ...
+    std::vector<std::string> needs{};               ///< "reflected rays", "lens samples", ...
 
     void count_light(std::string_view kind);
     void need(bool condition, const char* what) {

@@ -98,7 +98,7 @@ void declare_samples(Options& options, RenderArguments& a) {
     options
         .add_flag("--spd", a.spd,
                   "Follow the ray rules of the Standard Procedural Databases: one ray through each "
-                  "pixel corner, a mirrored one from all glass")
+                  "pixel corner, a reflected ray from all glass")
         .excludes("--spp")
         .excludes("--target-error")
         .excludes("--filter")

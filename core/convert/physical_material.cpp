@@ -38,7 +38,7 @@ Weights conserving(Weights w) {
 
 /// Returns the alpha of microfacets whose highlight is as wide as that of Blinn's exponent (Walter
 /// et al. 2007, "Microfacet Models for Refraction", section 5.2). A power of the cosine to the
-/// mirrored ray is about as wide as four times the exponent to the half vector (Fisher and Woo
+/// reflected ray is about as wide as four times the exponent to the half vector (Fisher and Woo
 /// 1994, "R.E versus N.H Specular Highlights").
 Roughness roughness_of(const Material& m) {
     const double exponent = std::max(0.0, m.shininess) * (m.highlight == Highlight::phong ? 4 : 1);

@@ -95,7 +95,7 @@ std::unique_ptr<OIIO::ImageInput> open(const char* path, const Signature* signat
         fail_by_content(signature, "it is not an image; expected EXR, PNG, JPEG, HDR or PFM");
     }
     const OIIO::ImageSpec& spec = input->spec();
-    if (spec.depth != 1 || spec.deep) fail("volumes and deep pictures are not supported");
+    if (spec.depth != 1 || spec.deep) fail("volumes and deep images are not supported");
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) fail("it has no pixels");
     if (std::max(spec.width, spec.height) > max_side) fail("larger than 65536 pixels");
     return input;

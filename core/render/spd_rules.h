@@ -5,7 +5,7 @@
 namespace etalon {
 
 /// Follows the rules of the Standard Procedural Databases (Haines 1987): one ray
-/// through each pixel corner, a mirrored one from all glass.
+/// through each pixel corner, a reflected one from all glass.
 inline void apply_spd_rules(RenderSettings& settings) {
     settings.samples_per_pixel = 0;
     settings.filter = {};

@@ -9,7 +9,7 @@
 namespace etalon {
 
 /// Cosine that a highlight is a power of: that between N and the half vector of eye and light
-/// (Blinn 1977), or that between the mirrored camera ray and the light (Phong 1975).
+/// (Blinn 1977), or that between the reflected camera ray and the light (Phong 1975).
 enum class Highlight : std::uint8_t { blinn, phong };
 
 struct Material {
@@ -19,7 +19,7 @@ struct Material {
     double shininess = 1;
     Highlight highlight = Highlight::blinn;
 
-    Color reflection{0.0F};    ///< weight of the mirrored ray
+    Color reflection{0.0F};    ///< weight of the reflected ray
     Color transmission{0.0F};  ///< weight of the refracted ray
     bool fresnel = false;      ///< the two weights are also multiplied by F and 1 - F
     double ior = 1;            ///< refractive index behind the surface; 1 in front of it

@@ -29,7 +29,7 @@ struct WhittedRules {
     bool clamp_each_ray = false;  ///< clamp the colour of each ray to [0,1]
     bool normalize_camera_rays =
         false;  ///< divide the colour of a camera ray by its largest component above 1
-    /// Counts rays by the rules of the Standard Procedural Databases: a mirrored ray wherever
+    /// Counts rays by the rules of the Standard Procedural Databases: a reflected ray wherever
     /// light passes through a surface, even one of no weight.
     bool mirror_all_glass = false;
     /// Distance, in units of the scene, by which new rays are offset from the surface along its

@@ -54,18 +54,18 @@ TEST_CASE("convert lists lost features, each kind once with a count", "[app]") {
     CHECK(p3f.status == 0);
     CHECK(p3f.out == "");
     CHECK(p3f.err ==
-          "a.sce: warning: P3F has no word for ambient colour of a material (1)\n"
-          "a.sce: warning: P3F has no word for ellipsoid, now polygons (2)\n");
+          "a.sce: warning: P3F cannot express ambient colour of a material (1)\n"
+          "a.sce: warning: P3F cannot express ellipsoid, now polygons (2)\n");
     CHECK(f.etalon("render a.p3f --strict -q -o a.exr").status == 0);
     const auto pbrt = f.etalon("convert a.sce -o a.pbrt");
     CHECK(pbrt.status == 0);
     CHECK_THAT(pbrt.err,
                ContainsSubstring(
-                   "a.sce: warning: PBRT has no word for ambient colour of a material (1)\n"));
+                   "a.sce: warning: PBRT cannot express ambient colour of a material (1)\n"));
     CHECK_THAT(f.read("a.pbrt"), ContainsSubstring("WorldEnd"));
     const auto strict = f.etalon("convert a.sce --strict -o b.p3f");
     CHECK(strict.status == 3);
-    CHECK_THAT(strict.err, ContainsSubstring("a.sce: error: P3F has no word for ellipsoid"));
+    CHECK_THAT(strict.err, ContainsSubstring("a.sce: error: P3F cannot express ellipsoid"));
     CHECK_FALSE(f.has("b.p3f"));
 }
 

@@ -15,7 +15,7 @@ TEST_CASE("info shows the contents of a scene, as text and as JSON", "[app]") {
                ContainsSubstring("1 sphere") && ContainsSubstring("32 x 24"));
     const json j = json::parse(f.etalon("info ball.p3f --json").out);
     CHECK(j["primitives"] == json{{"sphere", 1}, {"plane", 1}});
-    CHECK(j["needs"] == json{"mirrored rays"});
+    CHECK(j["needs"] == json{"reflected rays"});
 }
 
 TEST_CASE("info shows what shapes of instances need", "[app]") {

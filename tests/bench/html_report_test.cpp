@@ -55,7 +55,7 @@ TEST_CASE("A report has every section, and every figure its caption, command and
     const std::string page = html(content);
     CHECK(count(page, "<section ") == content.sections.size());
     CHECK(count(page, "<figcaption>") == count(page, "<figure"));
-    for (const char* id : {"machine", "speed", "builds", "pareto", "convergence", "pictures",
+    for (const char* id : {"machine", "speed", "builds", "pareto", "convergence", "images",
                            "frames", "hard-cases", "spd", "foreign"}) {
         CHECK_THAT(page, ContainsSubstring(std::string("<section id=\"") + id + "\""));
         CHECK_THAT(page, ContainsSubstring(std::string("<a href=\"#") + id + "\""));
@@ -71,7 +71,7 @@ TEST_CASE("A report of less than everything says so, and which of its sections a
     CHECK_THAT(page, ContainsSubstring("Not complete.</b> It was interrupted."));
     CHECK(count(page, "Not measured.") == 8);  // all but the machine's
     CHECK_THAT(html(page_of(sample_results())), !ContainsSubstring("Not complete"));
-    CHECK_THAT(page, !ContainsSubstring("Beside other programs"));
+    CHECK_THAT(page, !ContainsSubstring("Comparison with other programs"));
 }
 
 TEST_CASE("A report marks what is wrong and what is right") {

@@ -182,10 +182,11 @@ TEST_CASE("features that P3F cannot express are listed, each kind once") {
     s.whitted().materials[0].reflection = Color(0.5F);
     r.settings.max_depth = 7;
     r.settings.display_colors = false;
-    CHECK(lost(r) == std::vector<std::string>{"depth of 7 rays, now 5 1", "sRGB curve of a PNG 1",
-                                              "ambient colour of a material 2",
-                                              "highlight of another weight than the mirrored ray 1",
-                                              "shape seen from its front only 1"});
+    CHECK(lost(r) ==
+          std::vector<std::string>{"depth of 7 rays, now 5 1", "sRGB curve of a PNG 1",
+                                   "ambient colour of a material 2",
+                                   "highlight of another weight than the reflected ray 1",
+                                   "shape seen from its front only 1"});
 }
 
 TEST_CASE("the stretched pixels of a PRT camera are listed unless they are square all the same") {
@@ -249,7 +250,7 @@ TEST_CASE("glass of constant weights becomes Fresnel's, and a Phong highlight Bl
     m.ior = 1.3;
     m.specular = Color(0.5F);
     m.highlight = Highlight::phong;
-    const std::string fresnel = "constant weights of mirrored and refracted rays, now Fresnel's 1";
+    const std::string fresnel = "constant weights of reflected and refracted rays, now Fresnel's 1";
     CHECK(lost(r) == std::vector<std::string>{"Phong highlight, now Blinn's 1", fresnel});
     CHECK(load_p3f_text(text_of(r)).scene->whitted().materials[0].ior == 1.3);
 }

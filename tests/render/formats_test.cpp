@@ -58,7 +58,7 @@ TEST_CASE("a matt NFF surface of any Shine has no highlight", "[render]") {
     CHECK(seen == nff_at(0, 0, lamp + "f 0.5 1 0 0.5 0 0 0 0\n" + ball));
 }
 
-TEST_CASE("an NFF highlight is where the mirrored ray goes", "[render]") {
+TEST_CASE("an NFF highlight is where the reflected ray goes", "[render]") {
     const auto seen_from = [](const std::string& eye) {
         return centre(scene_of("nff", "v from " + eye +
                                           " at 0 0 0 up 0 1 0 angle 9 hither 0 "

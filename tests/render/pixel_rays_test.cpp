@@ -90,7 +90,7 @@ TEST_CASE("a crop of shared corners holds the same pixels as the whole", "[rende
     for (int i = 0; i < 25; ++i) CHECK(part[i] == all[(2 + i / 5) * 12 + 7 + i % 5]);
 }
 
-TEST_CASE("where all glass mirrors, a mirrored ray of no weight is counted", "[render]") {
+TEST_CASE("where all glass mirrors, a reflected ray of no weight is counted", "[render]") {
     TestScene scene = clear_ball();
     const RayCounts without = counts_of(scene);
     const std::vector<Color> pixels = image(scene);

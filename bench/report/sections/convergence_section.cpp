@@ -86,7 +86,7 @@ std::string command(const Results& results) {
 Section convergence_section(const Results& results) {
     Section section{"convergence", "Convergence", {}, {}};
     section.prose = {
-        "The error of a picture against the time it has taken so far, on one thread, for samples "
+        "The error of an image against rendering time, on one thread, for samples "
         "that fall anywhere (random), evenly (sobol), and where they lower the error most "
         "(adaptive), the last also by another backend, by its name. A line twice as low at the "
         "same time is worth twice the machines; one that "

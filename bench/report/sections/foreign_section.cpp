@@ -139,7 +139,7 @@ const std::vector<std::string> prose = {
 }  // namespace
 
 Section foreign_section(const Results& results) {
-    Section section{"foreign", "Beside other programs", prose, {}};
+    Section section{"foreign", "Comparison with other programs", prose, {}};
     const std::vector<ForeignFigures> compared = compared_of(results.foreign.list);
     const std::string command = foreign_command(results.settings);
     const auto add = [&](const char* title, const char* caption, auto content, bool folded) {

@@ -114,10 +114,10 @@ Table cases_of_shape(const std::vector<Row>& rows, const std::string& shape) {
 Section hard_cases_section(const Results& results) {
     Section section{"hard-cases", "Hard cases: pass or fail", {}, {}};
     section.prose = {
-        "Constructions on which ray tracers go wrong: silhouettes, edges, tips, grazing rays, "
-        "objects far away, next to nothing in size, or just left. Random rays find nothing; all "
-        "rays here are aimed. A case is passed if not one of its rays is answered wrongly; no "
-        "error in N rays says that at most 3 in N are to be feared (95 %)."};
+        "Constructions on which ray tracers fail: silhouettes, edges, tips, grazing rays, objects "
+        "far away, tiny objects, and surfaces that a ray has just left. Random rays rarely find "
+        "such errors; all rays here are aimed. A case is passed if all its rays are answered "
+        "correctly; no error in N rays bounds the error rate by 3 / N (95 % confidence)."};
     const std::vector<Row>& rows = results.rows.list;
     if (rows.empty()) return section;
     const std::string command = accuracy_command(results.settings);

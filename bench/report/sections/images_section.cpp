@@ -20,14 +20,12 @@ Figure figure_of(const ImageFigures& p, const std::string& date) {
 }  // namespace
 
 Section images_section(const Results& results) {
-    Section section{"pictures", "Pictures", {}, {}};
+    Section section{"images", "Images", {}, {}};
     section.prose = {
-        "What the rays are for. Every pixel is the same by every exact backend and any number of "
-        "threads. Beside each picture: how different one of fewer samples looks (FLIP, Andersson "
-        "et "
-        "al. 2020; black is no difference), how many rays a sample takes, and against how many "
-        "boxes "
-        "and primitives a camera ray is tested."};
+        "Rendered images. Every pixel has the same value with every exact backend and any number "
+        "of threads. Beside each image: its difference from one with fewer samples (FLIP, "
+        "Andersson et al. 2020; black is no difference), the number of rays of a sample, and the "
+        "number of boxes and primitives against which a camera ray is tested."};
     for (const ImageFigures& p : results.images.list) {
         section.figures.push_back(figure_of(p, results.images.date));
     }

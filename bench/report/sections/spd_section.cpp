@@ -99,15 +99,15 @@ Section spd_section(const Results& results) {
         "The subjects of the Standard Procedural Databases, in constructions of this project’s "
         "own, by the rules of that benchmark: 513 × 513 camera rays through the pixels’ corners, "
         "at "
-        "most five rays in a row, a mirrored ray from all glass, no shadow ray where a surface "
+        "most five rays in a row, a reflected ray from all glass, no shadow ray where a surface "
         "faces away from the light. The counts must be the same for every exact backend.",
         "Rays are counted and shaded here, so that these speeds are those of a whole renderer."};
     const std::vector<SpdFigures>& all = results.spd.list;
     if (all.empty()) return section;
     const std::string command = spd_command(results.settings), date = results.spd.date;
     section.figures = {
-        {"Counts", "How many rays of each kind a picture takes.", command, date, counts(all)},
-        {"Speed", "Million rays per CPU second, all of a picture on all threads.", command, date,
+        {"Counts", "How many rays of each kind an image takes.", command, date, counts(all)},
+        {"Speed", "Million rays per CPU second, all of an image on all threads.", command, date,
          speeds(all)},
         {"Times and sizes", "Input and build do not depend on the resolution.", command, date,
          times(all), true}};

@@ -58,7 +58,7 @@ Figure figure_of(const Results& results, const SceneFigures& scene) {
     return {
         fmt::format("{}, {}", scene.scene, count_of(scene.primitives, "primitive")),
         "Million rays per CPU second on one thread; that as a multiple of embree-builtin; wrong "
-        "answers of those judged.",
+        "answers of those checked.",
         speed_command(results.settings, scene.scene), results.scenes.date, std::move(bars)};
 }
 
@@ -102,7 +102,7 @@ accuracy::Scatter scatter_of(const std::vector<Totals>& all) {
     return scatter;
 }
 
-Figure one_picture(const Results& results) {
+Figure errors_against_cost(const Results& results) {
     const std::string svg = accuracy::small_plot(
         scatter_of(totals_of(results.scenes.list)),
         {"Errors against cost", "cost of a ray, relative to embree-builtin", "wrong in 10⁶ rays"});
@@ -175,17 +175,16 @@ Section speed_section(const Results& results) {
     Section section{"speed", "Speed, and the errors beside it", {}, {}};
     section.prose = {
         fmt::format(
-            "Every backend answers the same rays, in turn, {} times over; medians count, and "
-            "± is the distance of the middle half. CPU time of pinned threads, so that what "
-            "else the machine does disturbs little.",
+            "Every backend traces the same rays, in turn, {} times; figures are medians, and ± is "
+            "the interquartile range. CPU time of pinned threads, which depends little on what "
+            "else the machine does.",
             settings.plan.repeats),
-        "A speed without its errors says nothing. A quad-precision oracle judges a sample of the "
-        "rays and, of those on which the backends do not agree, as many as time allows: “wrong” "
-        "are "
+        "Errors are given beside each speed. A quad-precision oracle checks a sample of the rays "
+        "and, of those on which the backends do not agree, as many as time allows: “wrong” are "
         "hits where there is nothing, misses where there is something, and other primitives than "
         "the nearest. The second number is that of the disputed rays."};
     if (results.scenes.list.empty()) return section;
-    section.figures.push_back(one_picture(results));
+    section.figures.push_back(errors_against_cost(results));
     section.figures.push_back(overview(results));
     for (const SceneFigures& scene : results.scenes.list) {
         section.figures.push_back(figure_of(results, scene));

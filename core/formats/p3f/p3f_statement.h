@@ -9,7 +9,7 @@ struct P3fMaterial {
     Color diffuse{1.0F};
     double kd = 1;
     Color specular{1.0F};
-    double ks = 0;  ///< also the weight of the mirrored ray
+    double ks = 0;  ///< also the weight of the reflected ray
     double shine = 1;
     double transmission = 0;  ///< 1 for glass
     double ior = 1;

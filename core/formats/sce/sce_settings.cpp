@@ -58,7 +58,7 @@ void read_height(Loader& loader, Reader& in) {
     if (const auto n = read_integer(in, 1, 65536)) loader.settings.resolution.y = *n;
 }
 
-/// Reads the number of mirrored rays after the camera ray.
+/// Reads the number of reflected rays after the camera ray.
 void read_recursion(Loader& loader, Reader& in) {
     if (const auto n = read_integer(in, 0, 999)) loader.settings.max_depth = *n + 1;
 }

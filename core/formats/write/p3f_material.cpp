@@ -128,10 +128,10 @@ void compare(const Material& wanted, const Material& got, ConversionWarnings& lo
     check(wanted.diffuse == got.diffuse, "diffuse colour of an absorbing glass");
     check(wanted.specular == black || wanted.highlight == got.highlight,
           "Phong highlight, now Blinn's");
-    check(wanted.specular == got.specular, "highlight of another weight than the mirrored ray");
+    check(wanted.specular == got.specular, "highlight of another weight than the reflected ray");
     if (wanted.transmission == black) return;
     check(wanted.fresnel && wanted.transmission == white && wanted.reflection == got.reflection,
-          "constant weights of mirrored and refracted rays, now Fresnel's");
+          "constant weights of reflected and refracted rays, now Fresnel's");
     check(wanted.ior == got.ior, "index of refraction");
     check(wanted.absorption == got.absorption, "absorption");
 }

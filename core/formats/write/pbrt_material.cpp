@@ -46,7 +46,7 @@ void warn_of_losses(const Material& m, ConversionWarnings& lost) {
         if (m.specular != black) lost.add("highlight, now a rough gloss");
         return;
     }
-    if (!m.fresnel) lost.add("constant weights of mirrored and refracted rays, now Fresnel's");
+    if (!m.fresnel) lost.add("constant weights of reflected and refracted rays, now Fresnel's");
     if (m.absorption != black) lost.add("absorption");
 }
 
