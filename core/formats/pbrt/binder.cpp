@@ -49,7 +49,7 @@ struct Copied {
 
 std::optional<std::vector<Argument>> Binder::bind(const PluginType& type,
                                                   std::span<ParameterList* const> lists,
-                                                  Place where) {
+                                                  FileLoc where) {
     std::vector<Argument> arguments;
     for (const ParameterSpec& spec : type.parameters) {
         if (std::optional<Values> values = find(spec, lists)) {
@@ -154,7 +154,7 @@ Values Binder::convert(const ParameterSpec& spec, GivenParameter& given) {
     return values;
 }
 
-bool Binder::is_accepted(const ParameterSpec& spec, Values& values, Place where) {
+bool Binder::is_accepted(const ParameterSpec& spec, Values& values, FileLoc where) {
     if (spec.choices.empty()) return true;
     std::string& text = std::get<std::vector<std::string>>(values).front();
     if (contains(spec.choices, text)) return true;

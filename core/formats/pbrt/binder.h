@@ -26,7 +26,7 @@ class Binder {
     /// Takes the values from the lists, of which the first has precedence. Reports values that
     /// cannot be used and keeps their defaults. Returns nothing if a required parameter is missing.
     std::optional<std::vector<Argument>> bind(const PluginType& type,
-                                              std::span<ParameterList* const> lists, Place where);
+                                              std::span<ParameterList* const> lists, FileLoc where);
 
   private:
     std::optional<Values> find(const ParameterSpec& spec, std::span<ParameterList* const> lists);
@@ -35,7 +35,7 @@ class Binder {
     std::optional<Values> texture(const ParameterSpec& spec, GivenParameter& given);
     bool is_usable(const ParameterSpec& spec, const GivenParameter& given);
     bool has_right_count(const ParameterSpec& spec, const GivenParameter& given);
-    bool is_accepted(const ParameterSpec& spec, Values& values, Place where);
+    bool is_accepted(const ParameterSpec& spec, Values& values, FileLoc where);
     Values convert(const ParameterSpec& spec, GivenParameter& given);
 
     const TextureNames& textures_;

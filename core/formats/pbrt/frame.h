@@ -72,7 +72,7 @@ struct Object {
 struct Instance {
     std::uint32_t object;
     TransformPair to_world;
-    Place where;
+    FileLoc where;
 };
 
 struct CameraTransform {

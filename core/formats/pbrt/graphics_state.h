@@ -35,7 +35,7 @@ struct StatedMaterial {
     const PluginType* type;
     ParameterList parameters;
     std::uint32_t number;  ///< number of the material as stated
-    Place where;
+    FileLoc where;
 };
 
 /// State that AttributeBegin saves and AttributeEnd restores, apart from the transformation.

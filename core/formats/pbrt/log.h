@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/formats/diagnostic_list.h"
-#include "core/formats/pbrt/place.h"
+#include "core/formats/pbrt/file_loc.h"
 
 namespace etalon::pbrt {
 
@@ -22,21 +22,21 @@ class Log {
     std::uint32_t add_file(const std::string& name);
 
     template <class... T>
-    void warn(Place place, std::string_view kind, fmt::format_string<T...> text, T&&... values) {
-        add(strict_ ? Severity::error : Severity::warning, place, kind, text,
+    void warn(FileLoc loc, std::string_view kind, fmt::format_string<T...> text, T&&... values) {
+        add(strict_ ? Severity::error : Severity::warning, loc, kind, text,
             std::forward<T>(values)...);
     }
 
     template <class... T>
-    void error(Place place, std::string_view kind, fmt::format_string<T...> text, T&&... values) {
-        add(Severity::error, place, kind, text, std::forward<T>(values)...);
+    void error(FileLoc loc, std::string_view kind, fmt::format_string<T...> text, T&&... values) {
+        add(Severity::error, loc, kind, text, std::forward<T>(values)...);
     }
 
     /// Reports an error at which pbrt-v3 stops.
     template <class... T>
-    void fatal(Place place, std::string_view kind, fmt::format_string<T...> text, T&&... values) {
+    void fatal(FileLoc loc, std::string_view kind, fmt::format_string<T...> text, T&&... values) {
         is_fatal_ = true;
-        error(place, kind, text, std::forward<T>(values)...);
+        error(loc, kind, text, std::forward<T>(values)...);
     }
 
     /// Returns the text that `make` makes, which may be expensive, if a message of the kind would
@@ -56,12 +56,12 @@ class Log {
 
   private:
     template <class... T>
-    void add(Severity severity, Place place, std::string_view kind, fmt::format_string<T...> text,
+    void add(Severity severity, FileLoc loc, std::string_view kind, fmt::format_string<T...> text,
              T&&... values) {
         if (Diagnostic* d = list_.admit(severity, kind)) {
-            d->file = files_[place.file];
-            d->line = place.line;
-            d->column = place.column;
+            d->file = files_[loc.file];
+            d->line = loc.line;
+            d->column = loc.column;
             d->message = fmt::format(text, std::forward<T>(values)...);
         }
     }

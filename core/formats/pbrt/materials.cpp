@@ -18,7 +18,7 @@ std::string take_string(const ParameterSpec& spec, std::vector<Argument>& argume
 /// Returns the number of a named material. An unknown one is replaced by matte, with the parameters
 /// of the material that names it.
 std::uint32_t named_material(Parser& p, const std::string& name,
-                             std::span<ParameterList* const> lists, Place where) {
+                             std::span<ParameterList* const> lists, FileLoc where) {
     if (const auto* found = p.now.materials.find(name)) return (*found)->number;
     p.log.error(where, "undefined", "no material {} is defined; 'matte' stands in for it{}",
                 in_quotes(name), p.log.hint("undefined", [&] {
@@ -30,7 +30,7 @@ std::uint32_t named_material(Parser& p, const std::string& name,
 }  // namespace
 
 std::uint32_t Parser::add_material(const PluginType& type, std::span<ParameterList* const> lists,
-                                   Place where) {
+                                   FileLoc where) {
     // No parameter of a material is required.
     std::vector<Argument> arguments =
         binder().bind(type, lists, where).value_or(std::vector<Argument>());

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/copyable_variant.h"
-#include "core/formats/pbrt/place.h"
+#include "core/formats/pbrt/file_loc.h"
 #include "core/formats/pbrt/plugin_type.h"
 
 namespace etalon::pbrt {
@@ -18,8 +18,8 @@ struct GivenParameter {
     bool is_used = false;
     CopyableVariant<std::vector<float>, std::vector<std::int32_t>, std::vector<std::string>>
         values{};
-    Place where{};
-    Place not_finite{};  ///< place of the first infinite number or NaN; line 0 if all are finite
+    FileLoc where{};
+    FileLoc not_finite{};  ///< the first infinite number or NaN; line 0 if all are finite
 
     /// Returns the number of values: points, not coordinates.
     std::size_t count() const;

@@ -7,15 +7,15 @@
 
 namespace etalon::pbrt {
 
-void warn_of_extra(const LooseNumber& number, std::string_view word, Place place, Log& log) {
+void warn_of_extra(const LooseNumber& number, std::string_view word, FileLoc loc, Log& log) {
     const std::string_view kept = word.substr(0, word.size() - number.extra.size());
-    log.warn(place, "number", "{} is read as {}: the rest is ignored", in_quotes(word),
+    log.warn(loc, "number", "{} is read as {}: the rest is ignored", in_quotes(word),
              in_quotes(kept));
 }
 
 bool ParameterReader::fail(std::string_view expected) {
-    const Place place = tokens_.place();
-    log_.fatal(place, "syntax", "expected {} for '{}' of '{}', found {}", expected, given_.name,
+    const FileLoc loc = tokens_.loc();
+    log_.fatal(loc, "syntax", "expected {} for '{}' of '{}', found {}", expected, given_.name,
                directive_, describe(tokens_.peek()));
     return false;
 }
@@ -25,7 +25,7 @@ bool ParameterReader::read(ParameterList& list) {
     numbers_.clear();
     integers_.clear();
     strings_.clear();
-    given_.where = tokens_.place();
+    given_.where = tokens_.loc();
     const std::string text(tokens_.next().text);
     const Declaration declaration = split_declaration(text);
     declared_ = find_declared_type(declaration.type);
@@ -87,14 +87,14 @@ bool ParameterReader::read_number_word() {
     if (!strings_.empty()) return fail("only strings, as before");
     const std::optional<LooseNumber> number = read_number(word);
     if (!number) return fail("a number");
-    const Place place = tokens_.place();
-    if (!number->extra.empty()) warn_of_extra(*number, word, place, log_);
-    add_number(*number, place);
+    const FileLoc loc = tokens_.loc();
+    if (!number->extra.empty()) warn_of_extra(*number, word, loc, log_);
+    add_number(*number, loc);
     tokens_.next();
     return true;
 }
 
-void ParameterReader::add_number(const LooseNumber& number, Place place) {
+void ParameterReader::add_number(const LooseNumber& number, FileLoc loc) {
     const std::string_view word = tokens_.peek().text;
     const char* const last = word.data() + (word.size() - number.extra.size());
     const float value = to_float(number.value, word.data(), last);
@@ -108,7 +108,7 @@ void ParameterReader::add_number(const LooseNumber& number, Place place) {
     } else {
         numbers_.push_back(value);
     }
-    if (!is_finite && given_.not_finite.line == 0) given_.not_finite = place;
+    if (!is_finite && given_.not_finite.line == 0) given_.not_finite = loc;
 }
 
 }  // namespace etalon::pbrt

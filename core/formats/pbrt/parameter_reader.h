@@ -29,7 +29,7 @@ class ParameterReader {
     bool read_value();
     bool read_string();
     bool read_number_word();
-    void add_number(const LooseNumber& number, Place place);
+    void add_number(const LooseNumber& number, FileLoc loc);
     bool fail(std::string_view expected);
 
     /// Converts the values to the parameter's type. Returns false, and reports it, if that is
@@ -60,6 +60,6 @@ class ParameterReader {
 };
 
 /// Warns that the characters after a number are ignored.
-void warn_of_extra(const LooseNumber& number, std::string_view word, Place place, Log& log);
+void warn_of_extra(const LooseNumber& number, std::string_view word, FileLoc loc, Log& log);
 
 }  // namespace etalon::pbrt

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/copyable_variant.h"
-#include "core/formats/pbrt/place.h"
+#include "core/formats/pbrt/file_loc.h"
 #include "core/formats/pbrt/plugin_type.h"
 #include "core/numerics/vec.h"
 
@@ -77,10 +77,10 @@ class Parameters {
 struct Plugin {
     const PluginType* type;
     Parameters parameters;
-    Place where;
+    FileLoc where;
 
-    Plugin(const PluginType& t, std::vector<Argument> arguments = {}, Place place = {})
-        : type(&t), parameters(t, std::move(arguments)), where(place) {}
+    Plugin(const PluginType& t, std::vector<Argument> arguments = {}, FileLoc loc = {})
+        : type(&t), parameters(t, std::move(arguments)), where(loc) {}
 };
 
 }  // namespace etalon::pbrt

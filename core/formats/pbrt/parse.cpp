@@ -58,15 +58,15 @@ void skip_statement(Parser& p) {
 }
 
 void reject(Parser& p, const Token& token) {
-    const Place place = p.tokens.place();
+    const FileLoc loc = p.tokens.loc();
     const std::string_view origin =
         token.kind == TokenKind::word ? origin_of_directive(token.text) : std::string_view();
     if (!origin.empty()) {
-        p.log.fatal(place, "version", "{} is of {}; Etalon reads version 3", in_quotes(token.text),
+        p.log.fatal(loc, "version", "{} is of {}; Etalon reads version 3", in_quotes(token.text),
                     origin);
     } else {
         p.log.fatal(
-            place, "syntax", "expected a directive, found {}{}", describe(token),
+            loc, "syntax", "expected a directive, found {}{}", describe(token),
             p.log.hint("syntax", [&] { return did_you_mean(token.text, directive_words()); }));
     }
 }
@@ -106,10 +106,10 @@ void read_all(Parser& p) {
 /// Ends the frame of a file that ends before its world, as a truncated one does.
 void end_file(Parser& p) {
     if (p.now.block == Block::world) {
-        p.log.error(p.tokens.place(), "end", "the file ends without WorldEnd");
+        p.log.error(p.tokens.loc(), "end", "the file ends without WorldEnd");
         end_frame(p);
     } else if (p.frames.empty()) {
-        p.log.error(p.tokens.place(), "end", "the file has no WorldBegin: there is nothing to see");
+        p.log.error(p.tokens.loc(), "end", "the file has no WorldBegin: there is nothing to see");
     }
 }
 

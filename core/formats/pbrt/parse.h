@@ -20,7 +20,7 @@ struct ParseOptions {
 
 struct ParsedFile {
     std::vector<Frame> frames;
-    std::vector<std::string> files;  ///< names of the files read, for Place
+    std::vector<std::string> files;  ///< names of the files read, for FileLoc
     std::vector<Diagnostic> diagnostics;
     bool is_fatal = false;  ///< pbrt-v3 stops at one of the errors; it continues after others
 };

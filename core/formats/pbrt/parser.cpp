@@ -89,7 +89,7 @@ std::uint32_t Parser::start_transform() {
     return transform_pair().start;
 }
 
-MediumInterface Parser::current_media(Place where) {
+MediumInterface Parser::current_media(FileLoc where) {
     MediumInterface media;
     if (!now.graphics.media) return media;
     const auto number_of = [&](const std::string& name) {

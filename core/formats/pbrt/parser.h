@@ -22,13 +22,13 @@ enum class Block : std::uint8_t { options, world };
 struct SavedTransform {
     TransformScope scope;
     bool is_attribute;  ///< whether AttributeBegin or ObjectBegin saved it
-    Place where;
+    FileLoc where;
 };
 
 struct SavedAttributes {
     GraphicsState state;
     std::size_t numbers, spectra, materials;  ///< blocks of the names
-    Place where;
+    FileLoc where;
 };
 
 /// State of reading a frame.
@@ -76,7 +76,7 @@ struct Parser {
     std::uint32_t start_transform();
 
     /// Returns the numbers of the current media; reports unknown names.
-    MediumInterface current_media(Place where);
+    MediumInterface current_media(FileLoc where);
 
     /// Takes the type of a named plugin from its parameters; reports a missing one.
     std::string take_type(ParameterList& list);
@@ -91,7 +91,7 @@ struct Parser {
 
     /// Adds a material, made from the values of the lists, of which the first has precedence.
     std::uint32_t add_material(const PluginType& type, std::span<ParameterList* const> lists,
-                               Place where);
+                               FileLoc where);
 
     /// Finds a plugin type by its name. If there is none of that name, reports which there are and
     /// what happens instead.

@@ -4,14 +4,14 @@
 
 namespace etalon::pbrt {
 
-Color SpectrumFiles::color(const std::string& name, Place where) {
+Color SpectrumFiles::color(const std::string& name, FileLoc where) {
     const std::optional<std::string> path = tokens_.resolve(name, where);
     if (!path) return Color(0.0F);
     if (const auto known = colors_.find(*path); known != colors_.end()) return known->second;
     return colors_[*path] = read(*path, where);
 }
 
-Color SpectrumFiles::read(const std::string& path, Place where) {
+Color SpectrumFiles::read(const std::string& path, FileLoc where) {
     const FileText file = read_file(path);
     if (!file.error.empty()) {
         log_.warn(where, "file", "the spectrum {} {}; it is black", in_quotes(path), file.error);

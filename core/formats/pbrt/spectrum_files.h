@@ -14,10 +14,10 @@ class SpectrumFiles {
     SpectrumFiles(const TokenStream& tokens, Log& log) : tokens_(tokens), log_(log) {}
 
     /// Returns the colour of a file; black, with a warning, if it cannot be read.
-    Color color(const std::string& name, Place where);
+    Color color(const std::string& name, FileLoc where);
 
   private:
-    Color read(const std::string& path, Place where);
+    Color read(const std::string& path, FileLoc where);
 
     const TokenStream& tokens_;
     Log& log_;

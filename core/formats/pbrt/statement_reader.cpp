@@ -10,15 +10,15 @@ namespace etalon::pbrt {
 
 void StatementReader::begin() {
     ok_ = true;
-    where_ = tokens_.place();
+    where_ = tokens_.loc();
     directive_ = tokens_.next().text;
 }
 
 void StatementReader::reject(std::string_view expected) {
     if (!ok_) return;
     ok_ = false;
-    const Place place = tokens_.place();
-    log_.fatal(place, "syntax", "expected {} for '{}', found {}", expected, directive_,
+    const FileLoc loc = tokens_.loc();
+    log_.fatal(loc, "syntax", "expected {} for '{}', found {}", expected, directive_,
                describe(tokens_.peek()));
 }
 
@@ -58,8 +58,8 @@ double StatementReader::number() {
         return 0;
     }
     if (!read->extra.empty()) {
-        const Place place = tokens_.place();
-        warn_of_extra(*read, tokens_.peek().text, place, log_);
+        const FileLoc loc = tokens_.loc();
+        warn_of_extra(*read, tokens_.peek().text, loc, log_);
     }
     tokens_.next();
     return read->value;
@@ -69,7 +69,7 @@ void StatementReader::numbers(std::span<double> values, bool wants_brackets) {
     if (!ok_) return;
     const bool has_brackets = tokens_.peek().kind == TokenKind::open;
     if (has_brackets != wants_brackets) {
-        log_.warn(tokens_.place(), "brackets", "pbrt-v3 stops here: it wants '{}' {} brackets",
+        log_.warn(tokens_.loc(), "brackets", "pbrt-v3 stops here: it wants '{}' {} brackets",
                   directive_, wants_brackets ? "with" : "without");
     }
     if (has_brackets) {

@@ -22,7 +22,7 @@ class StatementReader {
     void begin();
 
     std::string_view directive() const { return directive_; }
-    Place where() const { return where_; }
+    FileLoc where() const { return where_; }
     bool ok() const { return ok_; }
 
     /// Reads a quoted string; `what` names it in messages.
@@ -54,7 +54,7 @@ class StatementReader {
     Log& log_;
     SpectrumFiles spectra_;
     std::string directive_;
-    Place where_;
+    FileLoc where_;
     bool ok_ = true;
 };
 

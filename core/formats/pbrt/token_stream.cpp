@@ -40,14 +40,14 @@ void TokenStream::read() {
     has_token_ = true;
 }
 
-Place TokenStream::place() {
+FileLoc TokenStream::loc() {
     const std::size_t offset = peek().offset;
     Source& source = sources_.back();
     const TextPosition position = source.locator.locate(offset);
     return {source.file, position.line, position.column};
 }
 
-std::optional<std::string> TokenStream::resolve(const std::string& name, Place where) const {
+std::optional<std::string> TokenStream::resolve(const std::string& name, FileLoc where) const {
     if (name.empty()) return name;
     std::string path = (directory_ / name).lexically_normal().string();
     const std::string objection = scope_.objection(path);
@@ -71,7 +71,7 @@ std::string TokenStream::refusal(const std::string& path) const {
                : "the files included again and again are too large together";
 }
 
-void TokenStream::include(const std::string& name, Place where) {
+void TokenStream::include(const std::string& name, FileLoc where) {
     const std::optional<std::string> resolved = resolve(name, where);
     if (!resolved) return;
     const std::string& path = *resolved;

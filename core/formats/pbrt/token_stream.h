@@ -35,8 +35,8 @@ class TokenStream {
         return token_;
     }
 
-    /// Returns the place of the next token.
-    Place place();
+    /// Returns the location of the next token.
+    FileLoc loc();
 
     /// Appends the plain numbers that follow. No token may have been peeked at.
     template <class T>
@@ -51,11 +51,11 @@ class TokenStream {
     }
 
     /// Continues with another file, up to its end. Reports an error if that is impossible.
-    void include(const std::string& name, Place where);
+    void include(const std::string& name, FileLoc where);
 
     /// Returns the path of a file that the scene names; nothing, and an error, if it may not be
     /// opened.
-    std::optional<std::string> resolve(const std::string& name, Place where) const;
+    std::optional<std::string> resolve(const std::string& name, FileLoc where) const;
 
   private:
     /// Reads the next token, of this source or of those around it.

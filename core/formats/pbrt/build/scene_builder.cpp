@@ -14,11 +14,11 @@ NumberSlot SceneBuilder::number(const Parameters& p, std::string_view name) {
     return {p.number(name)};
 }
 
-std::optional<Affine> SceneBuilder::affine(std::uint32_t transform, const Place& place) {
+std::optional<Affine> SceneBuilder::affine(std::uint32_t transform, const FileLoc& loc) {
     const Matrix4 m = frame.transforms[transform];
     const Affine map = affine_part(m);
     if (is_affine(m) && map.determinant() != 0) return map;
-    warn(place, "transform", "left out: its transform is {}",
+    warn(loc, "transform", "left out: its transform is {}",
          is_affine(m) ? "singular" : "a projection");
     return std::nullopt;
 }
@@ -33,11 +33,11 @@ PlaceInTime SceneBuilder::place_in_time(const Affine& start, const Affine& end) 
     return {motion.at(0), motion};
 }
 
-std::optional<PlaceInTime> SceneBuilder::place_in_time(TransformPair pair, const Place& place) {
-    const std::optional<Affine> start = affine(pair.start, place);
+std::optional<PlaceInTime> SceneBuilder::place_in_time(TransformPair pair, const FileLoc& loc) {
+    const std::optional<Affine> start = affine(pair.start, loc);
     if (!start) return std::nullopt;
     if (!pair.is_animated()) return PlaceInTime{*start, std::nullopt};
-    const std::optional<Affine> end = affine(pair.end, place);
+    const std::optional<Affine> end = affine(pair.end, loc);
     if (!end) return std::nullopt;
     return place_in_time(*start, *end);
 }

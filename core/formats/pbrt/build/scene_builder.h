@@ -40,22 +40,21 @@ struct SceneBuilder {
 
     /// Warns about a statement: what is left out, or what stands in for it.
     template <class... T>
-    void warn(const Place& place, std::string_view kind, fmt::format_string<T...> text,
+    void warn(const FileLoc& loc, std::string_view kind, fmt::format_string<T...> text,
               T&&... arguments) {
         Diagnostic* const d = log.admit(strict ? Severity::error : Severity::warning, kind);
         if (!d) return;
-        d->file = file.files[place.file];
-        d->line = place.line;
-        d->column = place.column;
+        d->file = file.files[loc.file];
+        d->line = loc.line;
+        d->column = loc.column;
         d->message = fmt::format(text, std::forward<T>(arguments)...);
     }
 
     /// Records where an image is named, and what is shown if it cannot be read.
-    void name_image(const std::string& image, const Place& place, std::string_view stand_in) {
+    void name_image(const std::string& image, const FileLoc& loc, std::string_view stand_in) {
         if (image.empty()) return;
         look().named_images.push_back(
-            {image, fmt::format("{}:{}:{}", file.files[place.file], place.line, place.column),
-             stand_in});
+            {image, fmt::format("{}:{}:{}", file.files[loc.file], loc.line, loc.column), stand_in});
     }
 
     /// Returns the value of a parameter, or the texture that is bound to it.
@@ -63,11 +62,11 @@ struct SceneBuilder {
     NumberSlot number(const Parameters& p, std::string_view name);
 
     /// Returns the map of a transform. Nothing, and a warning, if it is not affine.
-    std::optional<Affine> affine(std::uint32_t transform, const Place& place);
+    std::optional<Affine> affine(std::uint32_t transform, const FileLoc& loc);
 
     /// Returns the position of something that a pair of maps takes to the world.
     PlaceInTime place_in_time(const Affine& start, const Affine& end) const;
-    std::optional<PlaceInTime> place_in_time(TransformPair pair, const Place& place);
+    std::optional<PlaceInTime> place_in_time(TransformPair pair, const FileLoc& loc);
 };
 
 /// Returns the affine part of a matrix.
