@@ -21,12 +21,12 @@ double overlap(const Rectangle& a, const Rectangle& b) {
     return width > 0 && height > 0 ? width * height : 0;
 }
 
-Rectangle around(Place p, double radius) {
+Rectangle around(Position p, double radius) {
     return {p.x - radius, p.y - radius, p.x + radius, p.y + radius};
 }
 
 /// Returns the length within `r` of the line from `a` to `b`, sampled in steps along it.
-double crossing(Place a, Place b, const Rectangle& r) {
+double crossing(Position a, Position b, const Rectangle& r) {
     constexpr int steps = 16;
     double inside = 0;
     for (int i = 1; i < steps; ++i) {
@@ -40,7 +40,7 @@ double crossing(Place a, Place b, const Rectangle& r) {
 std::vector<Label> candidates(const Label& label) {
     std::vector<Label> list;
     const auto add = [&](double x, double y, Anchor anchor, bool is_far) {
-        const Place at{label.mark.x + x, label.mark.y + y};
+        const Position at{label.mark.x + x, label.mark.y + y};
         list.push_back({label.text, label.is_bold, label.mark, at, anchor, is_far});
     };
     for (const double y : {4.0, -6.0, 14.0}) {
@@ -63,7 +63,7 @@ std::vector<Label> candidates(const Label& label) {
 
 /// Returns the cost of a label's position: the area that it covers, and its distance.
 double badness(const Label& label, const std::vector<Label>& all, std::size_t self,
-               const Rectangle& page, const std::vector<Place>& avoid) {
+               const Rectangle& page, const std::vector<Position>& avoid) {
     const Rectangle here = extent(label);
     const double area = (here.right - here.left) * (here.bottom - here.top);
     double covered = 100 * (area - overlap(here, page));
@@ -77,8 +77,8 @@ double badness(const Label& label, const std::vector<Label>& all, std::size_t se
             covered += crossing(label.mark, leader_end(label), around(all[i].mark, mark_radius));
         if (all[i].is_far) covered += 10 * crossing(all[i].mark, leader_end(all[i]), here);
     }
-    for (const Place& p : avoid) covered += 3 * overlap(here, around(p, 2));
-    const Place end = leader_end(label);
+    for (const Position& p : avoid) covered += 3 * overlap(here, around(p, 2));
+    const Position end = leader_end(label);
     return covered + std::hypot(end.x - label.mark.x, end.y - label.mark.y);
 }
 
@@ -92,13 +92,14 @@ Rectangle extent(const Label& label) {
     return {left - padding, label.at.y - ascent, left + width + padding, label.at.y + descent};
 }
 
-Place leader_end(const Label& label) {
+Position leader_end(const Label& label) {
     const Rectangle r = extent(label);
     return {std::clamp(label.mark.x, r.left, r.right),
             label.mark.y > r.bottom ? r.bottom + 1 : std::max(label.mark.y, r.top)};
 }
 
-void place(std::vector<Label>& labels, const Rectangle& page, const std::vector<Place>& avoid) {
+void place_labels(std::vector<Label>& labels, const Rectangle& page,
+                  const std::vector<Position>& avoid) {
     for (Label& label : labels) label = candidates(label).front();
     // Each label in turn moves to its best position while the others stay, until none moves.
     constexpr int rounds = 20;

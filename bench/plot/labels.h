@@ -15,8 +15,8 @@ struct Rectangle {
 struct Label {
     std::string text;
     bool is_bold;
-    Place mark;  ///< what is labelled
-    Place at{0, 0};
+    Position mark;  ///< what is labelled
+    Position at{0, 0};
     Anchor anchor = Anchor::start;
     bool is_far = false;  ///< so that a line must lead from the mark to the text
 };
@@ -26,10 +26,11 @@ struct Label {
 Rectangle extent(const Label& label);
 
 /// Returns the point below or above the text that is nearest to the mark.
-Place leader_end(const Label& label);
+Position leader_end(const Label& label);
 
-/// Chooses `at` for each label: inside `page`, off the marks, off the places in `avoid` if
+/// Chooses `at` for each label: inside `page`, off the marks, off the positions in `avoid` if
 /// possible, near its mark.
-void place(std::vector<Label>& labels, const Rectangle& page, const std::vector<Place>& avoid);
+void place_labels(std::vector<Label>& labels, const Rectangle& page,
+                  const std::vector<Position>& avoid);
 
 }  // namespace etalon::plot

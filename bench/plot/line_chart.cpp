@@ -55,8 +55,8 @@ struct Curves {
         return std::all_of(series.begin(), series.end(),
                            [](const Series& s) { return s.samples.empty(); });
     }
-    Place place(double at_x, double at_y) const {
-        return plot_area.place(x.share(at_x), y.share(at_y));
+    Position position(double at_x, double at_y) const {
+        return plot_area.position(x.share(at_x), y.share(at_y));
     }
 
     std::vector<Series> series;
@@ -74,12 +74,12 @@ struct Curves {
 
 void draw_axes(Svg& svg, const LineChart& chart, const Curves& curves) {
     for (const Tick& tick : log_ticks(curves.y.low, curves.y.high)) {
-        const double y = plot_area.place(0, curves.y.share(tick.value)).y;
+        const double y = plot_area.position(0, curves.y.share(tick.value)).y;
         svg.line({plot_area.left, y}, {plot_area.right, y}, "grid");
         svg.text({plot_area.left - 6, y + 4}, Anchor::end, tick.text, "small");
     }
     for (const Tick& tick : log_ticks(curves.x.low, curves.x.high)) {
-        const double x = plot_area.place(curves.x.share(tick.value), 0).x;
+        const double x = plot_area.position(curves.x.share(tick.value), 0).x;
         svg.line({x, plot_area.top}, {x, plot_area.bottom}, "grid");
         svg.text({x, plot_area.bottom + 16}, Anchor::middle, tick.text, "small");
     }
@@ -92,11 +92,11 @@ std::string class_of(std::size_t series) {
 }
 
 void draw_band(Svg& svg, const Curves& curves, std::size_t which) {
-    std::vector<Place> upper, lower;
+    std::vector<Position> upper, lower;
     for (const Sample& s : curves.series[which].samples) {
         if (!has_band(s)) continue;
-        upper.push_back(curves.place(s.x, s.high));
-        lower.push_back(curves.place(s.x, s.low));
+        upper.push_back(curves.position(s.x, s.high));
+        lower.push_back(curves.position(s.x, s.low));
     }
     if (upper.size() < 2) return;
     upper.insert(upper.end(), lower.rbegin(), lower.rend());
@@ -105,30 +105,31 @@ void draw_band(Svg& svg, const Curves& curves, std::size_t which) {
 
 void draw_curve(Svg& svg, const Curves& curves, std::size_t which) {
     const Series& series = curves.series[which];
-    std::vector<Place> places;
-    for (const Sample& s : series.samples) places.push_back(curves.place(s.x, s.y));
-    if (places.size() > 1) svg.polyline(places, "curve " + class_of(which));
+    std::vector<Position> positions;
+    for (const Sample& s : series.samples) positions.push_back(curves.position(s.x, s.y));
+    if (positions.size() > 1) svg.polyline(positions, "curve " + class_of(which));
     for (const Sample& s : series.samples) {
-        svg.dot(curves.place(s.x, s.y), 3, fmt::format("{}: {:.3g}, {:.3g}", series.name, s.x, s.y),
+        svg.dot(curves.position(s.x, s.y), 3,
+                fmt::format("{}: {:.3g}, {:.3g}", series.name, s.x, s.y),
                 "mark " + class_of(which));
     }
 }
 
 /// Returns points along the curves that are so close together that no name fits between them.
-std::vector<Place> along(const Curves& curves) {
+std::vector<Position> along(const Curves& curves) {
     constexpr int steps = 8;
-    std::vector<Place> places;
+    std::vector<Position> positions;
     for (const Series& series : curves.series) {
         for (std::size_t i = 0; i < series.samples.size(); ++i) {
             const Sample &s = series.samples[i], &before = series.samples[i > 0 ? i - 1 : i];
-            const Place a = curves.place(before.x, before.y), b = curves.place(s.x, s.y);
+            const Position a = curves.position(before.x, before.y), b = curves.position(s.x, s.y);
             for (int k = 1; k <= steps; ++k) {
                 const double share = static_cast<double>(k) / steps;
-                places.push_back({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
+                positions.push_back({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
             }
         }
     }
-    return places;
+    return positions;
 }
 
 void draw_names(Svg& svg, const Curves& curves) {
@@ -137,10 +138,10 @@ void draw_names(Svg& svg, const Curves& curves) {
     for (std::size_t i = 0; i < curves.series.size(); ++i) {
         if (curves.series[i].samples.empty()) continue;
         const Sample& last = curves.series[i].samples.back();
-        labels.push_back({curves.series[i].name, true, curves.place(last.x, last.y)});
+        labels.push_back({curves.series[i].name, true, curves.position(last.x, last.y)});
         whose.push_back(i);
     }
-    place(labels, {plot_area.left, 16, plot_area.width, plot_area.bottom}, along(curves));
+    place_labels(labels, {plot_area.left, 16, plot_area.width, plot_area.bottom}, along(curves));
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Label& label = labels[i];
         if (label.is_far) svg.line(label.mark, leader_end(label), "leader");

@@ -9,8 +9,8 @@ struct PlotArea {
     double width, height;
     double left, right, top, bottom;
 
-    /// Returns the place at the fractions (x, y) of the area, from its lower left.
-    Place place(double x, double y) const {
+    /// Returns the position at the fractions (x, y) of the area, from its lower left.
+    Position position(double x, double y) const {
         return {left + x * (right - left), bottom - y * (bottom - top)};
     }
 };

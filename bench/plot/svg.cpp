@@ -7,9 +7,9 @@
 namespace etalon::plot {
 namespace {
 
-std::string list_of(const std::vector<Place>& places) {
+std::string list_of(const std::vector<Position>& positions) {
     std::string list;
-    for (const Place& p : places) {
+    for (const Position& p : positions) {
         list += fmt::format("{}{:.1f},{:.1f}", list.empty() ? "" : " ", p.x, p.y);
     }
     return list;
@@ -46,28 +46,28 @@ Svg::Svg(double width, double height, std::string_view title, std::string_view d
       text_(fmt::format("<title>{}</title>\n<desc>{}</desc>\n", escaped(title),
                         escaped(description))) {}
 
-void Svg::text(Place at, Anchor anchor, std::string_view text, std::string_view classes) {
+void Svg::text(Position at, Anchor anchor, std::string_view text, std::string_view classes) {
     constexpr std::string_view names[] = {"start", "middle", "end"};
     text_ +=
         fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" class=\"{}\">{}</text>\n",
                     at.x, at.y, names[static_cast<int>(anchor)], classes, escaped(text));
 }
 
-void Svg::line(Place from, Place to, std::string_view classes) {
+void Svg::line(Position from, Position to, std::string_view classes) {
     text_ += fmt::format(
         "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" class=\"{}\"/>\n", from.x,
         from.y, to.x, to.y, classes);
 }
 
-void Svg::polyline(const std::vector<Place>& places, std::string_view classes) {
-    text_ += fmt::format("<polyline points=\"{}\" class=\"{}\"/>\n", list_of(places), classes);
+void Svg::polyline(const std::vector<Position>& positions, std::string_view classes) {
+    text_ += fmt::format("<polyline points=\"{}\" class=\"{}\"/>\n", list_of(positions), classes);
 }
 
-void Svg::polygon(const std::vector<Place>& places, std::string_view classes) {
-    text_ += fmt::format("<polygon points=\"{}\" class=\"{}\"/>\n", list_of(places), classes);
+void Svg::polygon(const std::vector<Position>& positions, std::string_view classes) {
+    text_ += fmt::format("<polygon points=\"{}\" class=\"{}\"/>\n", list_of(positions), classes);
 }
 
-void Svg::dot(Place at, double radius, std::string_view hint, std::string_view classes) {
+void Svg::dot(Position at, double radius, std::string_view hint, std::string_view classes) {
     text_ += fmt::format(
         "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" class=\"{}\"><title>{}</title></circle>\n",
         at.x, at.y, radius, classes, escaped(hint));

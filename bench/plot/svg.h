@@ -7,8 +7,8 @@
 
 namespace etalon::plot {
 
-/// A place on the page, in pixels from its upper left.
-struct Place {
+/// A position on the page, in pixels from its upper left.
+struct Position {
     double x, y;
 };
 
@@ -24,13 +24,13 @@ class Svg {
     /// `title` and `description` are for readers who cannot see the image.
     Svg(double width, double height, std::string_view title, std::string_view description);
 
-    void text(Place at, Anchor anchor, std::string_view text, std::string_view classes);
-    void line(Place from, Place to, std::string_view classes);
-    void polyline(const std::vector<Place>& places, std::string_view classes);
-    /// Draws the area that the places enclose.
-    void polygon(const std::vector<Place>& places, std::string_view classes);
+    void text(Position at, Anchor anchor, std::string_view text, std::string_view classes);
+    void line(Position from, Position to, std::string_view classes);
+    void polyline(const std::vector<Position>& positions, std::string_view classes);
+    /// Draws the area that the positions enclose.
+    void polygon(const std::vector<Position>& positions, std::string_view classes);
     /// Draws a disk that shows `hint` under a pointer.
-    void dot(Place at, double radius, std::string_view hint, std::string_view classes);
+    void dot(Position at, double radius, std::string_view hint, std::string_view classes);
 
     /// Returns an element for a page that has the style sheet.
     std::string inlined() const;

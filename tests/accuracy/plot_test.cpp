@@ -7,8 +7,8 @@
 
 using namespace etalon::accuracy;
 using etalon::plot::Label;
-using etalon::plot::Place;
 using etalon::plot::PlotArea;
+using etalon::plot::Position;
 using etalon::plot::Rectangle;
 using etalon::test::is_well_formed;
 
@@ -90,7 +90,7 @@ TEST_CASE("There are ticks on both axes, however narrow the range, and the point
         CHECK(axes.cost_ticks().size() <= 12);
         CHECK(axes.error_ticks().size() >= 2);
         for (const Point& p : scatter.points) {
-            const Place at = axes.place(p.cost, p.error);
+            const Position at = axes.position(p.cost, p.error);
             CHECK((at.x > plot_area.left && at.x < plot_area.right));
             CHECK((at.y >= plot_area.top && at.y <= plot_area.bottom));
         }
@@ -103,13 +103,13 @@ TEST_CASE("Given a crowd of marks, no label covers another or a mark") {
         labels.push_back({"a tracer", x < 505, {x, 300}});
     }
     const Rectangle page{0, 0, 600, 320};
-    place(labels, page, {});
+    place_labels(labels, page, {});
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Rectangle r = extent(labels[i]);
         CHECK((r.left >= page.left && r.top >= page.top));
         CHECK((r.right <= page.right && r.bottom <= page.bottom));
         for (std::size_t k = 0; k < labels.size(); ++k) {
-            const Place mark = labels[k].mark;
+            const Position mark = labels[k].mark;
             CHECK_FALSE(
                 (mark.x > r.left && mark.x < r.right && mark.y > r.top && mark.y < r.bottom));
             if (k != i) CHECK_FALSE(overlap(r, extent(labels[k])));

@@ -22,9 +22,9 @@ Axes::Axes(const Scatter& scatter, const plot::PlotArea& plot_area)
     for (const Point& p : scatter.points) worst_ = std::max(worst_, std::log10(1 + p.error));
 }
 
-plot::Place Axes::place(double cost, double error) const {
+plot::Position Axes::position(double cost, double error) const {
     const double x = (std::log10(cost) - lowest_) / (highest_ - lowest_);
-    return plot_area_.place(x, std::log10(1 + error) / worst_);
+    return plot_area_.position(x, std::log10(1 + error) / worst_);
 }
 
 std::vector<Tick> Axes::cost_ticks() const {

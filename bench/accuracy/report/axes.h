@@ -13,7 +13,7 @@ class Axes {
     Axes(const Scatter& scatter, const plot::PlotArea& plot_area);
 
     const plot::PlotArea& plot_area() const { return plot_area_; }
-    plot::Place place(double cost, double error) const;
+    plot::Position position(double cost, double error) const;
     std::vector<plot::Tick> cost_ticks() const;
     std::vector<plot::Tick> error_ticks() const;
 

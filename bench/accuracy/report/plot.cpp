@@ -16,8 +16,8 @@ namespace {
 
 using plot::Anchor;
 using plot::Label;
-using plot::Place;
 using plot::PlotArea;
+using plot::Position;
 using plot::Svg;
 using plot::Tick;
 
@@ -88,7 +88,7 @@ void draw_ticks(Svg& svg, const Axes& axes) {
     const PlotArea& plot_area = axes.plot_area();
     double below = plot_area.bottom + 12;
     for (const Tick& tick : axes.error_ticks()) {
-        const double y = axes.place(1, tick.value).y;
+        const double y = axes.position(1, tick.value).y;
         if (below - y < 12) continue;  // the two labels would touch
         below = y;
         svg.line({plot_area.left, y}, {plot_area.right, y}, "grid");
@@ -96,7 +96,7 @@ void draw_ticks(Svg& svg, const Axes& axes) {
     }
     const double y = plot_area.bottom + 12;
     for (const Tick& tick : axes.cost_ticks()) {
-        const double x = axes.place(tick.value, 0).x;
+        const double x = axes.position(tick.value, 0).x;
         svg.line({x, y}, {x, y + 4}, "tick");
         svg.text({x, y + 18}, Anchor::middle, tick.text, "small");
     }
@@ -104,11 +104,11 @@ void draw_ticks(Svg& svg, const Axes& axes) {
 
 /// Returns the Pareto frontier: horizontal from each point to the cost at which there is a better
 /// one.
-std::vector<Place> frontier(const Scatter& scatter, const Axes& axes) {
-    std::vector<Place> corners;
+std::vector<Position> frontier(const Scatter& scatter, const Axes& axes) {
+    std::vector<Position> corners;
     for (const Point& p : scatter.points) {
         if (!p.efficient) continue;
-        const Place here = axes.place(p.cost, p.error);
+        const Position here = axes.position(p.cost, p.error);
         if (!corners.empty()) corners.push_back({here.x, corners.back().y});
         corners.push_back(here);
     }
@@ -116,52 +116,53 @@ std::vector<Place> frontier(const Scatter& scatter, const Axes& axes) {
 }
 
 /// Returns points along the frontier that are so close together that no label fits between them.
-std::vector<Place> along(const std::vector<Place>& corners) {
-    std::vector<Place> places;
+std::vector<Position> along(const std::vector<Position>& corners) {
+    std::vector<Position> positions;
     for (std::size_t i = 1; i < corners.size(); ++i) {
         constexpr int steps = 40;
         for (int k = 0; k <= steps; ++k) {
             const double s = static_cast<double>(k) / steps;
-            const Place &a = corners[i - 1], &b = corners[i];
-            places.push_back({a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)});
+            const Position &a = corners[i - 1], &b = corners[i];
+            positions.push_back({a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)});
         }
     }
-    return places;
+    return positions;
 }
 
 void draw_points(Svg& svg, const Scatter& scatter, const Axes& axes) {
     for (const Point& p : scatter.points) {
         const std::string hint = fmt::format("{}: cost {}, error {} in {}", p.tracer, brief(p.cost),
                                              brief(p.error), p.worst_case);
-        svg.dot(axes.place(p.cost, p.error), 4.5, hint,
+        svg.dot(axes.position(p.cost, p.error), 4.5, hint,
                 fmt::format("mark {}{}", colours[kind_of(p)], p.efficient ? "" : " hollow"));
     }
 }
 
 /// Adds the area that a mark covers, as points so close together that no label fits between them.
-void add_mark(Place at, std::vector<Place>& places) {
+void add_mark(Position at, std::vector<Position>& positions) {
     for (const double x : {-5.0, 0.0, 5.0}) {
-        for (const double y : {-5.0, 0.0, 5.0}) places.push_back({at.x + x, at.y + y});
+        for (const double y : {-5.0, 0.0, 5.0}) positions.push_back({at.x + x, at.y + y});
     }
 }
 
 /// Draws the labels of the points for which `is_named` holds.
 template <class F>
-void draw_labels(Svg& svg, const Scatter& scatter, const Axes& axes, std::vector<Place> avoid,
+void draw_labels(Svg& svg, const Scatter& scatter, const Axes& axes, std::vector<Position> avoid,
                  const F& is_named) {
     std::vector<Label> labels;
     std::vector<std::string_view> classes;
     for (const Point& p : scatter.points) {
         if (!is_named(p)) {
-            add_mark(axes.place(p.cost, p.error), avoid);
+            add_mark(axes.position(p.cost, p.error), avoid);
             continue;
         }
-        labels.push_back({p.tracer, p.efficient, axes.place(p.cost, p.error)});
+        labels.push_back({p.tracer, p.efficient, axes.position(p.cost, p.error)});
         classes.push_back(colours[kind_of(p)]);
     }
     const PlotArea& plot_area = axes.plot_area();
-    place(labels, {plot_area.left, plot_area.top - 26, plot_area.width - 4, plot_area.bottom + 10},
-          avoid);
+    place_labels(labels,
+                 {plot_area.left, plot_area.top - 26, plot_area.width - 4, plot_area.bottom + 10},
+                 avoid);
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Label& label = labels[i];
         if (label.is_far) svg.line(label.mark, leader_end(label), "leader");
@@ -172,7 +173,7 @@ void draw_labels(Svg& svg, const Scatter& scatter, const Axes& axes, std::vector
 
 template <class F>
 void draw(Svg& svg, const Scatter& scatter, const Axes& axes, const F& is_named) {
-    const std::vector<Place> corners = frontier(scatter, axes);
+    const std::vector<Position> corners = frontier(scatter, axes);
     draw_ticks(svg, axes);
     svg.polyline(corners, "frontier");
     draw_labels(svg, scatter, axes, along(corners), is_named);
