@@ -16,7 +16,8 @@ class FourierScattering {
   public:
     static constexpr LobeKind kind = LobeKind::both;
 
-    explicit FourierScattering(const FourierTable& table) : place_(std::bit_cast<Place>(&table)) {}
+    explicit FourierScattering(const FourierTable& table)
+        : table_(std::bit_cast<PointerWords>(&table)) {}
 
     Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const;
     std::optional<Vec3f> sample(const Vec3f& wo, const Vec2& uv) const;
@@ -25,11 +26,11 @@ class FourierScattering {
 
   private:
     /// A pointer as words, aligned like the members of other lobes, so that the lobe is no larger.
-    using Place = std::array<std::uint32_t, sizeof(void*) / sizeof(std::uint32_t)>;
+    using PointerWords = std::array<std::uint32_t, sizeof(void*) / sizeof(std::uint32_t)>;
 
-    const FourierTable& table() const { return *std::bit_cast<const FourierTable*>(place_); }
+    const FourierTable& table() const { return *std::bit_cast<const FourierTable*>(table_); }
 
-    Place place_;
+    PointerWords table_;
     Color factor_{1};
 };
 

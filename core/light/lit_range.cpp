@@ -45,7 +45,7 @@ struct LitPart {
 };
 
 /// Returns the position of a light that lit_range() handles.
-struct Place {
+struct LightPosition {
     template <class Source>
     Vec3 operator()(const Source& source) const {
         if constexpr (requires { source.position; }) return source.position;
@@ -61,7 +61,7 @@ std::optional<Equiangular> lit_range(const PhysicalLight& light, const Vec3& ori
     if (!part) return std::nullopt;
     const double begin = std::max(part->begin, 0.0), end = std::min(part->end, length);
     if (!(begin < end)) return std::nullopt;
-    return Equiangular(std::visit(Place{}, light), origin, direction, begin, end);
+    return Equiangular(std::visit(LightPosition{}, light), origin, direction, begin, end);
 }
 
 }  // namespace etalon

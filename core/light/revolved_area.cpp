@@ -50,7 +50,7 @@ double RevolvedArea::image_of_slice(double middle) const {
     return sum / around;
 }
 
-RevolvedArea::Place RevolvedArea::choose(double number) const {
+RevolvedArea::SlicePoint RevolvedArea::choose(double number) const {
     const Shares& shares = *cumulative_;
     const auto* const next = std::upper_bound(shares.begin() + 1, shares.end() - 1, number);
     const auto slice = static_cast<std::size_t>(next - shares.begin()) - 1;

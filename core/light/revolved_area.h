@@ -27,10 +27,10 @@ class RevolvedArea {
     static constexpr std::size_t slices = 64;
 
     /// A height, or the square of a radius in the plane: the uniformly sampled variable of a slice.
-    struct Place {
+    struct SlicePoint {
         double along, density;
     };
-    Place choose(double number) const;
+    SlicePoint choose(double number) const;
     double density_at(double along) const;
     double along_of(const Vec3& local) const;
     double slice_begin(std::size_t slice) const {

@@ -15,12 +15,12 @@ bool same(const Affine& a, const Affine& b) {
 
 }  // namespace
 
-CurvePlace::CurvePlace(const Affine& map) : to_world(map), rows(Instance(map, 0).rows) {
+CurveTransform::CurveTransform(const Affine& map) : to_world(map), rows(Instance(map, 0).rows) {
     if (!exists()) rows.fill(Vec3(nan_value));  // so that no ray hits it
 }
 
 /// An inverse that consists mostly of roundings would map points anywhere, so it does not count.
-bool CurvePlace::exists() const {
+bool CurveTransform::exists() const {
     constexpr double largest_condition = 0x1p30, largest_stretch = 0x1p50;
     return is_finite(to_world) && condition_of(to_world, rows) < largest_condition &&
            stretch_of(to_world, rows) < largest_stretch;

@@ -34,8 +34,8 @@ struct CurvePart {
 };
 
 /// Transforms between a curve's space and world space.
-struct CurvePlace {
-    explicit CurvePlace(const Affine& map);
+struct CurveTransform {
+    explicit CurveTransform(const Affine& map);
 
     /// Returns whether the map is finite and not singular, as far as doubles show it.
     bool exists() const;
@@ -51,7 +51,7 @@ struct CurvePlace {
 /// A part of a curve as kernels see it.
 struct StoredCurve {
     const BezierCurve& curve;
-    const CurvePlace& place;
+    const CurveTransform& place;
     CurvePart part;
 };
 
@@ -94,7 +94,7 @@ class CurveList {
     /// Replaces each map by change(map).
     template <class Change>
     void change_maps(const Change& change) {
-        for (CurvePlace& place : places_) place = CurvePlace(change(place.to_world));
+        for (CurveTransform& place : places_) place = CurveTransform(change(place.to_world));
     }
 
     void shrink_to_fit();
@@ -115,7 +115,7 @@ class CurveList {
 
     LargeVector<Part> parts_;
     LargeVector<Entry> curves_;
-    LargeVector<CurvePlace> places_;
+    LargeVector<CurveTransform> places_;
 };
 
 }  // namespace etalon

@@ -164,7 +164,7 @@ std::vector<Target> targets(const StoredCurve& c, double finest) {
     const auto at = [curve](const Vec3& from, double u, double across) {
         CubicPoints points;
         for (std::size_t i = 0; i < 4; ++i) points[i] = Vec3(curve.curve.points[i]);
-        const CurvePlace place(curve.to_world);
+        const CurveTransform place(curve.to_world);
         const Vec3 centre = blossom(points, u, u, u);
         const Vec3 sight = centre - place.vector(from - curve.to_world.origin);
         const double half = 0.5 * ((1 - u) * curve.curve.widths[0] + u * curve.curve.widths[1]);

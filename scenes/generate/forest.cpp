@@ -37,7 +37,7 @@ void write_tree(LineWriter& out, std::uint32_t number) {
     out.line("ObjectEnd");
 }
 
-InstancePlace place_of(std::uint64_t tree, const Vec3& origin, double height) {
+InstanceTransform place_of(std::uint64_t tree, const Vec3& origin, double height) {
     const Vec2 turn = on_circle(noise(tree, 2));
     const double size = height * (1 + 0.3 * noise(tree, 3));
     return {size * Vec3(turn.x, 0, -turn.y),

@@ -55,7 +55,7 @@ void matte(LineWriter& out, const Color& color) {
     out.line("Material \"matte\" \"rgb Kd\" [{}]", color);
 }
 
-void write_instance(LineWriter& out, std::uint32_t object, const InstancePlace& place) {
+void write_instance(LineWriter& out, std::uint32_t object, const InstanceTransform& place) {
     out.line("Transform [{} 0 {} 0 {} 0 {} 1] ObjectInstance \"{}\"", text_of(Vec3f(place.x)),
              text_of(Vec3f(place.y)), text_of(Vec3f(place.z)), text_of(Vec3f(place.origin)),
              object);

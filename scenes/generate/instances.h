@@ -37,7 +37,7 @@ class Mesh {
 };
 
 /// A map of PBRT's: where the axes and the origin of the object go.
-struct InstancePlace {
+struct InstanceTransform {
     Vec3 x, y, z, origin;
 };
 
@@ -48,7 +48,7 @@ void begin_world(LineWriter& out, const Vec3& eye, const Vec3& at, double fov_de
 void matte(LineWriter& out, const Color& color);
 
 /// Writes the instance of an object, called by its number.
-void write_instance(LineWriter& out, std::uint32_t object, const InstancePlace& place);
+void write_instance(LineWriter& out, std::uint32_t object, const InstanceTransform& place);
 
 /// Writes a square of the ground, y = 0, about the origin.
 void write_ground(LineWriter& out, double half);

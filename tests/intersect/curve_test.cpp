@@ -155,9 +155,9 @@ TEST_CASE("Curve: given its segments, then together they are hit where the whole
 TEST_CASE("A curve under a map whose inverse is but roundings does not exist") {
     const Affine next_to_flat{
         {2.0000000000000004, 0.99999999999999989, 0}, {0, 0, -3}, {2, 1, 0}, {0, 0, 0}};
-    CHECK_FALSE(CurvePlace(next_to_flat).exists());
+    CHECK_FALSE(CurveTransform(next_to_flat).exists());
     const Affine sheared{{1, 0, 0}, {1e6, 1, 0}, {0, 0, 1e-9}, {0, 0, 0}};
-    CHECK(CurvePlace(sheared).exists());
+    CHECK(CurveTransform(sheared).exists());
 }
 
 namespace {

@@ -24,17 +24,17 @@ class ClosedCylinderFastPath {
         if (side.is_parallel()) return first_between_caps(side, sides);
         if (!side.is_certain()) return uncertain;
         const Stretch inside = side.stretch();
-        const Place entry = place(inside.entry), exit = place(inside.exit);
+        const CapSide entry = cap_side(inside.entry), exit = cap_side(inside.exit);
         if (entry == exit && (entry == below || entry == above)) return no_hit;
         if (entry == unknown || (entry != between && exit == unknown)) return uncertain;
         return first_ahead({end(entry, inside.entry), end(exit, inside.exit)}, sides, tmin_);
     }
 
   private:
-    enum Place { below, between, above, unknown };
+    enum CapSide { below, between, above, unknown };
 
-    /// Returns the place of the line's point at t; unknown if it could be on either side of a cap.
-    Place place(const Approximate& t) const {
+    /// Returns where the line's point at t is; unknown if it could be on either side of a cap.
+    CapSide cap_side(const Approximate& t) const {
         const double climb = t.value * line_.d.z, z = line_.w.z + climb;
         const double e_d = line_.error_of_d(along_);
         const double e_z = line_.error_of_w(along_) + e_d * (std::abs(t.value) + t.error) +
@@ -57,9 +57,9 @@ class ClosedCylinderFastPath {
     }
 
     /// Returns an end of the interval: the root of the side, or the cap if the root is beyond that.
-    Approximate end(Place place, const Approximate& root) const {
-        if (place == unknown) return {0, infinity};
-        return place == between ? root : cap(place == below ? 0 : 1);
+    Approximate end(CapSide side, const Approximate& root) const {
+        if (side == unknown) return {0, infinity};
+        return side == between ? root : cap(side == below ? 0 : 1);
     }
 
     Approximate cap(double z) const {

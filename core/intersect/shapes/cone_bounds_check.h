@@ -22,7 +22,7 @@ class ConeBoundsCheck {
         : cone_(c), query_(q), axis_(c), d_(axis_, q.ray.direction) {
         const Vec3 f = q.ray.origin - c.base;
         middle_ = middle(c, axis_, d_, f);
-        const ConePlace w(c, axis_, f + middle_ * q.ray.direction);
+        const ConePoint w(c, axis_, f + middle_ * q.ray.direction);
         F_ = w.F;
         start_ = w.start;
         r0_ = w.r0;

@@ -32,10 +32,10 @@ struct ConeSpeed {
     double G2;
 };
 
-/// Place of a point w, seen from the base: its distance F = w x h from the axis, its height start,
+/// A point w, seen from the base: its distance F = w x h from the axis, its height start,
 /// and the radius r0 there, all times |h|.
-struct ConePlace {
-    ConePlace(const Cone& c, const ConeAxis& a, const Vec3& w)
+struct ConePoint {
+    ConePoint(const Cone& c, const ConeAxis& a, const Vec3& w)
         : F(w.cross(a.h)), start(w.dot(a.h)), r0(a.length * c.base_radius + a.slope * start) {}
 
     Vec3 F;

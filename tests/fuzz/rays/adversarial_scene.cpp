@@ -52,7 +52,7 @@ class Maker {
             geometry_.add(quadric(p), 0, sides);
         } else if constexpr (std::is_same_v<Shape, Curve>) {
             const Curve c(curve(), map(p), {random_.index(4), 4});
-            if (CurvePlace(c.to_world).exists()) geometry_.add(c, 0, sides);
+            if (CurveTransform(c.to_world).exists()) geometry_.add(c, 0, sides);
         } else {
             add_image<Shape>(p, sides);
         }
