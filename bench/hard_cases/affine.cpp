@@ -91,9 +91,9 @@ template <class Shape>
 CaseSetup aimed(const Affine& map) {
     CaseSetup setup = aimed_at<Shape>(map, nullptr);
     const std::vector<Target> targets = targets_of(setup.scene.geometry, 0, to_the_last_bit);
-    const Place place{map.point({0, 0, 0.5}), setup.size};
+    const Extent extent{map.point({0, 0, 0.5}), setup.size};
     setup.ray = [=](Random& random) {
-        return ray_generator(place, targets[random.index(targets.size())], random);
+        return ray_generator(extent, targets[random.index(targets.size())], random);
     };
     return setup;
 }

@@ -13,15 +13,15 @@ namespace {
 
 struct Example {
     const char* name;
-    Place place;
+    Extent extent;
     std::shared_ptr<const Scene> scene;
 };
 
 template <class Shape>
-Example example(const char* name, const Place& place, const Shape& shape) {
+Example example(const char* name, const Extent& extent, const Shape& shape) {
     Scene scene;
     scene.geometry.add(shape, 0);
-    return {name, place, std::make_shared<Scene>(std::move(scene))};
+    return {name, extent, std::make_shared<Scene>(std::move(scene))};
 }
 
 Example sphere(const char* name, const Sphere& s) {
@@ -160,14 +160,14 @@ bool is_concave(const Scene& scene) {
     return form[0] < 0 || form[4] < 0 || form[7] < 0;
 }
 
-using MakeAimedRay = Ray (*)(const Place&, const Target&, Random&);
+using MakeAimedRay = Ray (*)(const Extent&, const Target&, Random&);
 
 CaseSetup shot_at(const Example& e, MakeAimedRay ray) {
     const std::vector<Target> targets = targets_of(e.scene->geometry, 0, to_the_last_bit);
     // The targets refer to the scene, so the rays keep it alive.
-    return {*e.scene, e.place.size, [=, scene = e.scene, place = e.place](Random& random) {
+    return {*e.scene, e.extent.size, [=, scene = e.scene, extent = e.extent](Random& random) {
                 const std::size_t chosen = random.index(targets.size());
-                return ray(place, targets[chosen], random);
+                return ray(extent, targets[chosen], random);
             }};
 }
 

@@ -109,8 +109,8 @@ void add_shape(Scene& scene, double size, Sides sides, Random& random) {
     }
 }
 
-ShapeKind any_kind(const RandomSceneConfig& plan, Random& random) {
-    if (!plan.kinds.empty()) return plan.kinds[random.index(plan.kinds.size())];
+ShapeKind any_kind(const RandomSceneConfig& config, Random& random) {
+    if (!config.kinds.empty()) return config.kinds[random.index(config.kinds.size())];
     const auto kind = static_cast<ShapeKind>(random.index(shape_kinds));
     // Only one in a hundred is a plane, since planes hide the rest.
     return kind == kind_of<Plane>() && random.index(8) != 0 ? kind_of<Sphere>() : kind;
@@ -118,14 +118,14 @@ ShapeKind any_kind(const RandomSceneConfig& plan, Random& random) {
 
 }  // namespace
 
-Scene random_scene(const RandomSceneConfig& plan) {
+Scene random_scene(const RandomSceneConfig& config) {
     Scene scene;
-    Random random(plan.seed, 0);
-    while (scene.geometry.primitives.size() < plan.count) {
-        const ShapeKind kind = any_kind(plan, random);
-        const double low = std::log10(plan.smallest), high = std::log10(plan.largest);
+    Random random(config.seed, 0);
+    while (scene.geometry.primitives.size() < config.count) {
+        const ShapeKind kind = any_kind(config, random);
+        const double low = std::log10(config.smallest), high = std::log10(config.largest);
         const double size = random.magnitude(low, high);
-        const Sides sides = plan.one_sided ? static_cast<Sides>(random.index(3)) : Sides::both;
+        const Sides sides = config.one_sided ? static_cast<Sides>(random.index(3)) : Sides::both;
         with_shape(kind, [&]<class Shape>() { add_shape<Shape>(scene, size, sides, random); });
     }
     return scene;

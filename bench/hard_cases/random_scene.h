@@ -16,7 +16,7 @@ struct RandomSceneConfig {
 };
 
 /// Returns shapes whose centres are in the cube [-1, 1]^3.
-Scene random_scene(const RandomSceneConfig& plan);
+Scene random_scene(const RandomSceneConfig& config);
 
 /// Returns rays from everywhere at the targets on the scene's primitives, see targets_of(); a third
 /// of the rays starts or ends somewhere in between. With offsets down to 1e-6, double decides
@@ -27,6 +27,6 @@ CaseSetup aimed_at_scene(Scene scene, double finest = -6);
 CaseSetup bouncing_in_scene(Scene scene);
 
 /// Returns camera rays from `distance` times the scene's size, through all of a screen.
-CaseSetup seen_from_eye(Scene scene, double distance);
+CaseSetup camera_rays_of(Scene scene, double distance);
 
 }  // namespace etalon::hard

@@ -70,7 +70,7 @@ Scene one_kind(ShapeKind kind) {
 std::vector<HardCase> random_scene_cases() {
     Rows rows("scene");
     add_clouds(rows);
-    rows.add("A4", "mixed: from an eye", [] { return seen_from_eye(random_scene({}), 3); });
+    rows.add("A4", "mixed: from an eye", [] { return camera_rays_of(random_scene({}), 3); });
     rows.add("A4", "mixed: bouncing", [] { return bouncing_in_scene(random_scene({})); });
     rows.add("A4", "mixed: aimed", [] { return aimed_at_scene(random_scene({})); });
     rows.add("A4", "mixed: aimed to the last bit",

@@ -6,20 +6,20 @@
 
 namespace etalon::hard {
 
-/// Approximate position and size of a shape.
-struct Place {
+/// Approximate centre and size of a shape or scene.
+struct Extent {
     Vec3 centre;
     double size;
 };
 
 /// Returns a ray of one of the generators, chosen at random. Hardly any of the rays start on a
 /// surface.
-Ray ray_generator(const Place& place, const Target& target, Random& random);
+Ray ray_generator(const Extent& extent, const Target& target, Random& random);
 
 /// Returns a ray from the target itself, on or next to the surface, in any direction.
-Ray leave(const Place& place, const Target& target, Random& random);
+Ray leave(const Extent& extent, const Target& target, Random& random);
 
 /// Returns a ray along an edge, a generator or a face.
-Ray through_two(const Place& place, const Target& target, Random& random);
+Ray through_two(const Extent& extent, const Target& target, Random& random);
 
 }  // namespace etalon::hard

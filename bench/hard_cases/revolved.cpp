@@ -62,9 +62,9 @@ double size_of(const Revolved& s) {
 CaseSetup aimed(const Revolved& s) {
     CaseSetup setup = only(s, size_of(s), nullptr);
     const std::vector<Target> targets = targets_of(setup.scene.geometry, 0, to_the_last_bit);
-    const Place place{s.to_world.origin, setup.size};
+    const Extent extent{s.to_world.origin, setup.size};
     setup.ray = [=](Random& random) {
-        return ray_generator(place, targets[random.index(targets.size())], random);
+        return ray_generator(extent, targets[random.index(targets.size())], random);
     };
     return setup;
 }
