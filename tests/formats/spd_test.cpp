@@ -1,4 +1,4 @@
-#include "core/formats/spd/spd.h"
+#include "core/formats/spectrum/read_spectrum.h"
 
 #include "core/numerics/random.h"
 #include "tests/catch.h"
@@ -14,7 +14,7 @@ struct Read {
 
 Read read(const std::string& text) {
     DiagnosticLog log("a.spd", text, false);
-    Read r{read_spd(text, log), {}};
+    Read r{read_spectrum(text, log), {}};
     for (const Diagnostic& d : log.take()) r.messages.push_back(to_string(d));
     return r;
 }

@@ -1,4 +1,4 @@
-#include "core/formats/spd/spd.h"
+#include "core/formats/spectrum/read_spectrum.h"
 
 #include <cmath>
 
@@ -9,7 +9,7 @@ namespace {
 
 void run(std::string_view text) {
     DiagnosticLog log("light.spd", text, false);
-    for (const SpectralSample& s : read_spd(text, log)) {
+    for (const SpectralSample& s : read_spectrum(text, log)) {
         require(std::isfinite(s.wavelength) && std::isfinite(s.value),
                 "a sample that is not finite");
     }

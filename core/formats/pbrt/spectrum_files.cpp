@@ -1,6 +1,6 @@
 #include "core/formats/pbrt/spectrum_files.h"
 
-#include "core/formats/spd/spd.h"
+#include "core/formats/spectrum/read_spectrum.h"
 
 namespace etalon::pbrt {
 
@@ -18,7 +18,7 @@ Color SpectrumFiles::read(const std::string& path, FileLoc where) {
         return Color(0.0F);
     }
     DiagnosticLog problems(path, file.text(), log_.is_strict());
-    const std::vector<SpectralSample> samples = read_spd(file.text(), problems);
+    const std::vector<SpectralSample> samples = read_spectrum(file.text(), problems);
     log_.append(problems.list());
     return spectrum_color(samples);
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/formats/file_text.h"
-#include "core/formats/spd/number_text.h"
+#include "core/formats/spectrum/number_text.h"
 
 namespace etalon::pbrt {
 namespace {

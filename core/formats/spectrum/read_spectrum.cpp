@@ -1,12 +1,12 @@
-#include "core/formats/spd/spd.h"
+#include "core/formats/spectrum/read_spectrum.h"
 
 #include <cmath>
 
-#include "core/formats/spd/number_text.h"
+#include "core/formats/spectrum/number_text.h"
 
 namespace etalon {
 
-std::vector<SpectralSample> read_spd(std::string_view text, DiagnosticLog& log) {
+std::vector<SpectralSample> read_spectrum(std::string_view text, DiagnosticLog& log) {
     const std::vector<PlacedNumber> numbers = read_number_text(text, log);
     if (numbers.size() % 2 != 0) {
         log.warn(numbers.back().offset, "count",

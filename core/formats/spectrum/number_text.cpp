@@ -1,4 +1,4 @@
-#include "core/formats/spd/number_text.h"
+#include "core/formats/spectrum/number_text.h"
 
 #include <algorithm>
 #include <cmath>
