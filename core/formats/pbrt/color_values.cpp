@@ -35,9 +35,9 @@ std::vector<float> from_spectrum(const std::vector<float>& n) {
 }  // namespace
 
 std::vector<float> to_rgb(const DeclaredType& type, std::vector<float> numbers) {
-    if (type.encoding == Encoding::xyz) return from_xyz(numbers);
-    if (type.encoding == Encoding::blackbody) return from_black_bodies(numbers);
-    if (type.encoding == Encoding::spectrum) return from_spectrum(numbers);
+    if (type.encoding == ValueEncoding::xyz) return from_xyz(numbers);
+    if (type.encoding == ValueEncoding::blackbody) return from_black_bodies(numbers);
+    if (type.encoding == ValueEncoding::spectrum) return from_spectrum(numbers);
     return numbers;
 }
 

@@ -8,16 +8,18 @@
 namespace etalon::pbrt {
 
 /// Conversion of the numbers or strings of a parameter to values.
-enum class Encoding : std::uint8_t { plain, flags, texture_name, xyz, blackbody, spectrum };
+enum class ValueEncoding : std::uint8_t { plain, flags, texture_name, xyz, blackbody, spectrum };
 
 /// The type that a parameter declares.
 struct DeclaredType {
     std::string_view word;
     ValueType type;
-    Encoding encoding = Encoding::plain;
+    ValueEncoding encoding = ValueEncoding::plain;
     int numbers = 1;  ///< numbers that make one value; 0: all of them
 
-    bool takes_strings() const { return type == ValueType::string || encoding == Encoding::flags; }
+    bool takes_strings() const {
+        return type == ValueType::string || encoding == ValueEncoding::flags;
+    }
 };
 
 /// Returns nothing if there is no such type.

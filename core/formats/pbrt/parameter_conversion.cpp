@@ -24,10 +24,10 @@ void fit(std::vector<T>& values) {
 
 bool ParameterReader::convert() {
     given_.type = declared_->type;
-    given_.is_texture = declared_->encoding == Encoding::texture_name;
+    given_.is_texture = declared_->encoding == ValueEncoding::texture_name;
     const bool may_be_strings = declared_->takes_strings();
     const bool may_be_numbers = !may_be_strings;
-    const bool may_be_files = declared_->encoding == Encoding::spectrum;
+    const bool may_be_files = declared_->encoding == ValueEncoding::spectrum;
     if (may_be_strings && strings_.empty()) {
         return refuse("'{}' is a {} and takes strings, not numbers; it is left out", given_.name,
                       declared_->word);
@@ -44,9 +44,9 @@ bool ParameterReader::convert_strings() {
         return refuse("'{}' takes the name of one texture, not {}; it is left out", given_.name,
                       strings_.size());
     }
-    if (declared_->encoding == Encoding::flags) {
+    if (declared_->encoding == ValueEncoding::flags) {
         convert_flags();
-    } else if (declared_->encoding == Encoding::spectrum) {
+    } else if (declared_->encoding == ValueEncoding::spectrum) {
         convert_spectrum_files();
     } else {
         given_.values = std::move(strings_);
@@ -88,7 +88,7 @@ bool ParameterReader::convert_numbers() {
                   multiple, numbers_.size(), surplus);
         drop_surplus(numbers_, multiple);
     }
-    if (declared_->encoding != Encoding::plain) {
+    if (declared_->encoding != ValueEncoding::plain) {
         numbers_ = to_rgb(*declared_, std::move(numbers_));
         const bool is_finite =
             std::ranges::all_of(numbers_, [](float x) { return std::isfinite(x); });

@@ -87,11 +87,11 @@ std::optional<PlyMesh> read_body(const Header& header, std::string_view bytes, D
 }
 
 std::optional<PlyMesh> read_body(const Header& header, std::string_view bytes, DiagnosticLog& log) {
-    if (header.encoding == Encoding::ascii) return read_body<AsciiNumbers>(header, bytes, log);
-    const bool is_native = (header.encoding == Encoding::little_endian) ==
+    if (header.format == FileFormat::ascii) return read_body<AsciiNumbers>(header, bytes, log);
+    const bool is_native = (header.format == FileFormat::little_endian) ==
                            (std::endian::native == std::endian::little);
-    return is_native ? read_body<BinaryNumbers<Bytes::native>>(header, bytes, log)
-                     : read_body<BinaryNumbers<Bytes::reversed>>(header, bytes, log);
+    return is_native ? read_body<BinaryNumbers<ByteOrder::native>>(header, bytes, log)
+                     : read_body<BinaryNumbers<ByteOrder::reversed>>(header, bytes, log);
 }
 
 constexpr std::uint32_t top_bit = 0x80000000;

@@ -22,10 +22,10 @@ constexpr TypeName type_names[] = {
 
 constexpr std::size_t most_elements = 1000;  // names are compared with all before them
 
-constexpr std::pair<std::string_view, Encoding> encodings[] = {
-    {"ascii", Encoding::ascii},
-    {"binary_little_endian", Encoding::little_endian},
-    {"binary_big_endian", Encoding::big_endian}};
+constexpr std::pair<std::string_view, FileFormat> formats[] = {
+    {"ascii", FileFormat::ascii},
+    {"binary_little_endian", FileFormat::little_endian},
+    {"binary_big_endian", FileFormat::big_endian}};
 
 /// The words of a line.
 class Line {
@@ -56,9 +56,9 @@ class HeaderReader {
             return std::nullopt;
         }
         while (good_ && !ended_) read_statement();
-        if (good_ && !encoding_) fail("the header does not say a format");
+        if (good_ && !format_) fail("the header does not say a format");
         if (!good_) return std::nullopt;
-        return Header{*encoding_, std::move(elements_), next_};
+        return Header{*format_, std::move(elements_), next_};
     }
 
   private:
@@ -99,10 +99,10 @@ class HeaderReader {
 
     void read_format(Line& line) {
         const std::string_view name = line.next();
-        for (const auto& [known, encoding] : encodings) {
-            if (name == known) encoding_ = encoding;
+        for (const auto& [known, format] : formats) {
+            if (name == known) format_ = format;
         }
-        if (!encoding_) {
+        if (!format_) {
             fail("expected the format ascii, binary_little_endian or binary_big_endian, found {}",
                  in_quotes(name));
         }
@@ -154,7 +154,7 @@ class HeaderReader {
     char line_end_;
     std::size_t line_ = 0, next_ = 0;  ///< starts of the current line and of the next one
     bool good_ = true, ended_ = false;
-    std::optional<Encoding> encoding_;
+    std::optional<FileFormat> format_;
     std::vector<Element> elements_;
 };
 

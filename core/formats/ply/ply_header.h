@@ -10,7 +10,7 @@
 
 namespace etalon::ply {
 
-enum class Encoding : std::uint8_t { ascii, little_endian, big_endian };
+enum class FileFormat : std::uint8_t { ascii, little_endian, big_endian };
 
 enum class Type : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
@@ -39,7 +39,7 @@ struct Element {
 };
 
 struct Header {
-    Encoding encoding;
+    FileFormat format;
     std::vector<Element> elements;  ///< in the order of the file, with different names
     std::size_t size;               ///< number of bytes before the first number
 

@@ -13,10 +13,10 @@
 namespace etalon::ply {
 
 /// Whether binary numbers have the byte order of this machine.
-enum class Bytes { native, reversed };
+enum class ByteOrder { native, reversed };
 
 /// Reads a binary number, which need not be aligned.
-template <class T, Bytes bytes>
+template <class T, ByteOrder order>
 T load(const char* p) {
     using Bits = std::conditional_t<
         sizeof(T) == 8, std::uint64_t,
@@ -24,7 +24,7 @@ T load(const char* p) {
                            std::conditional_t<sizeof(T) == 2, std::uint16_t, std::uint8_t>>>;
     Bits bits;
     std::memcpy(&bits, p, sizeof bits);
-    if constexpr (bytes == Bytes::reversed) {
+    if constexpr (order == ByteOrder::reversed) {
         if constexpr (sizeof(T) == 8) bits = __builtin_bswap64(bits);
         if constexpr (sizeof(T) == 4) bits = __builtin_bswap32(bits);
         if constexpr (sizeof(T) == 2) bits = __builtin_bswap16(bits);
@@ -56,7 +56,7 @@ auto with_type(Type type, F&& f) {
 }
 
 /// Both sources of numbers have these members.
-template <Bytes bytes>
+template <ByteOrder order>
 class BinaryNumbers {
   public:
     static constexpr bool is_binary = true;
@@ -68,7 +68,7 @@ class BinaryNumbers {
     bool read(Type type, double& value) {
         if (remaining() < size_of(type)) return false;
         value = with_type(
-            type, [&](auto t) { return static_cast<double>(load<decltype(t), bytes>(next_)); });
+            type, [&](auto t) { return static_cast<double>(load<decltype(t), order>(next_)); });
         next_ += size_of(type);
         return true;
     }
@@ -88,7 +88,7 @@ class BinaryNumbers {
     /// Writes the triangles of a face whose corners are numbers of four bytes. Reads four of them
     /// and writes at least four numbers. Returns the end of what is written.
     static std::uint32_t* copy_corners(const char* corners, unsigned count, std::uint32_t* out) {
-        for (int i = 0; i < 4; ++i) out[i] = load<std::uint32_t, bytes>(corners + 4 * i);
+        for (int i = 0; i < 4; ++i) out[i] = load<std::uint32_t, order>(corners + 4 * i);
         if (count == 3) return out + 3;
         const std::uint32_t first = out[0], third = out[2];
         out[4] = first;

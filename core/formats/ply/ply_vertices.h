@@ -19,17 +19,17 @@ struct Column {
 std::vector<Column> make_columns(const Element& vertices, PlyMesh& mesh);
 
 /// Sets out[i * stride] to the number at first + i * row_bytes, for i < count.
-template <class T, Bytes bytes>
+template <class T, ByteOrder order>
 void copy_column(const char* first, std::size_t row_bytes, std::size_t count, const Column& out) {
     for (std::size_t i = 0; i < count; ++i) {
-        out.target[i * out.stride] = static_cast<float>(load<T, bytes>(first + i * row_bytes));
+        out.target[i * out.stride] = static_cast<float>(load<T, order>(first + i * row_bytes));
     }
 }
 
 /// Reads vertices of constant size, in blocks that stay in the first-level cache while their
 /// columns are copied. There must be as many as the element says.
-template <Bytes bytes>
-void read_columns(BinaryNumbers<bytes>& in, const Element& vertices, std::vector<Column> columns) {
+template <ByteOrder order>
+void read_columns(BinaryNumbers<order>& in, const Element& vertices, std::vector<Column> columns) {
     const std::size_t row_bytes = vertices.least_bytes();
     const std::size_t block = std::max<std::size_t>(1, (1 << 14) / row_bytes);
     for (std::uint64_t row = 0; row < vertices.count; row += block) {
@@ -39,7 +39,7 @@ void read_columns(BinaryNumbers<bytes>& in, const Element& vertices, std::vector
             const Type type = vertices.properties[i].type;
             if (columns[i].target) {
                 with_type(type, [&](auto t) {
-                    copy_column<decltype(t), bytes>(first, row_bytes, count, columns[i]);
+                    copy_column<decltype(t), order>(first, row_bytes, count, columns[i]);
                 });
                 columns[i].target += count * columns[i].stride;
             }
