@@ -38,7 +38,8 @@ std::string Contingency::in_words() const {
                               mcnemar() > five_percent ? "would rarely" : "may");
 }
 
-Contingency contingency(const std::vector<Trial>& trials, const Tracer& a, const Tracer& b) {
+Contingency contingency(const std::vector<Trial>& trials, const CrosscheckedTracer& a,
+                        const CrosscheckedTracer& b) {
     Contingency table{a.name, b.name};
     for (std::size_t t = 0; t < trials.size(); ++t) {
         for (std::size_t i = 0; i < trials[t].rays.size(); ++i) {
@@ -56,7 +57,7 @@ Contingency contingency(const std::vector<Trial>& trials, const Tracer& a, const
 }
 
 std::vector<Contingency> contingencies(const std::vector<Trial>& trials,
-                                       const std::vector<Tracer>& tracers) {
+                                       const std::vector<CrosscheckedTracer>& tracers) {
     std::vector<Contingency> tables;
     const std::size_t firsts = tracers.size() <= few ? tracers.size() : 1;
     for (std::size_t a = 0; a < firsts; ++a) {

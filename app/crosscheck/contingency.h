@@ -19,10 +19,11 @@ struct Contingency {
     std::string in_words() const;
 };
 
-Contingency contingency(const std::vector<Trial>& trials, const Tracer& a, const Tracer& b);
+Contingency contingency(const std::vector<Trial>& trials, const CrosscheckedTracer& a,
+                        const CrosscheckedTracer& b);
 
 /// Compares every pair of up to three tracers, else the first one with each of the others.
 std::vector<Contingency> contingencies(const std::vector<Trial>& trials,
-                                       const std::vector<Tracer>& tracers);
+                                       const std::vector<CrosscheckedTracer>& tracers);
 
 }  // namespace etalon::crosscheck

@@ -19,7 +19,7 @@ namespace {
 
 struct Arguments {
     SceneArguments scene;
-    crosscheck::Plan plan{backend_names()};
+    crosscheck::CrosscheckConfig config{backend_names()};
     std::string json, rays_out;
 };
 
@@ -27,7 +27,7 @@ struct Arguments {
 void print(const Arguments& a, const crosscheck::Results& results) {
     const std::string output = a.rays_out == "-" ? a.rays_out : a.json;
     write_table(output, crosscheck::as_text(results));
-    if (a.plan.worst > 0 && a.rays_out != "-") {
+    if (a.config.worst > 0 && a.rays_out != "-") {
         write_table(output, fmt::format("\n{}", crosscheck::as_rays(results)));
     }
 }
@@ -35,10 +35,10 @@ void print(const Arguments& a, const crosscheck::Results& results) {
 crosscheck::Results crosscheck_scene(const Arguments& a, const LoadedScene& loaded,
                                      const std::atomic<bool>& stop) {
     std::optional<Progress> progress;
-    const crosscheck::RunControl run{
+    const crosscheck::CrosscheckProgress run{
         stop, [&](const std::string& stage) { progress.emplace(a.scene.path + ": " + stage); },
         [&](double part) { progress->update(part); }};
-    return crosscheck::crosscheck(*loaded.scene, loaded.settings.resolution, a.plan, run);
+    return crosscheck::crosscheck(*loaded.scene, loaded.settings.resolution, a.config, run);
 }
 
 bool write(const Arguments& a, const crosscheck::Results& results) {
@@ -70,17 +70,17 @@ Action declare_crosscheck(Options& options) {
     auto a = std::make_shared<Arguments>();
     declare_scene(options, a->scene);
     options
-        .add("-b,--backend", a->plan.backends,
+        .add("-b,--backend", a->config.backends,
              "Comma-separated list of backends; errors of embree-builtin do not "
              "change the exit status")
         .by_commas()
         .one_of(backend_names())
         .show_default();
     options
-        .add("--rays", a->plan.rays, "Number of rays of each kind: camera, bounce, shadow, aimed")
+        .add("--rays", a->config.rays, "Number of rays of each kind: camera, bounce, shadow, aimed")
         .within(std::size_t{1}, std::size_t{1} << 24)
         .show_default();
-    options.add("--worst", a->plan.worst, "Number of each backend's worst rays to list")
+    options.add("--worst", a->config.worst, "Number of each backend's worst rays to list")
         .within(std::size_t{0}, std::size_t{1} << 24)
         .show_default();
     options.add("--json", a->json, "Write the results to this JSON file; - is standard output")

@@ -6,7 +6,7 @@ namespace etalon::crosscheck {
 namespace {
 
 BackendResults results_of(const Scene& scene, const std::vector<Trial>& trials,
-                          const Tracer& tracer, std::size_t worst) {
+                          const CrosscheckedTracer& tracer, std::size_t worst) {
     BackendResults results{tracer.name, tracer.exact, {}, {}, {}};
     for (std::size_t t = 0; t < trials.size(); ++t) {
         results.by_kind.push_back(counts_of(trials[t], tracer.answers[t]));
@@ -18,19 +18,20 @@ BackendResults results_of(const Scene& scene, const std::vector<Trial>& trials,
 
 /// Traces the rays with the backends. If the oracle was stopped there are few rays, and all are
 /// traced.
-std::vector<Tracer> ask_all(const Plan& plan, const Scene& scene, const std::vector<Trial>& trials,
-                            const RunControl& run) {
+std::vector<CrosscheckedTracer> trace_all(const CrosscheckConfig& config, const Scene& scene,
+                                          const std::vector<Trial>& trials,
+                                          const CrosscheckProgress& run) {
     static const std::atomic<bool> never = false;
-    const RunControl control{run.stop ? never : run.stop, run.begin, run.progress};
-    std::vector<Tracer> tracers;
+    const CrosscheckProgress control{run.stop ? never : run.stop, run.begin, run.progress};
+    std::vector<CrosscheckedTracer> tracers;
     if (trials.empty()) return tracers;
     run.begin("backends");
-    for (const std::string& name : plan.backends) {
-        std::optional<Tracer> tracer = trace(name, scene, trials, control);
+    for (const std::string& name : config.backends) {
+        std::optional<CrosscheckedTracer> tracer = trace(name, scene, trials, control);
         if (!tracer) break;
         tracers.push_back(std::move(*tracer));
         run.progress(static_cast<double>(tracers.size()) /
-                     static_cast<double>(plan.backends.size()));
+                     static_cast<double>(config.backends.size()));
     }
     return tracers;
 }
@@ -42,16 +43,16 @@ bool Results::as_promised() const {
                        [](const auto& b) { return !b.exact || b.total.clean(); });
 }
 
-Results crosscheck(const Scene& scene, const Imath::V2i& resolution, const Plan& plan,
-                   const RunControl& run) {
-    const std::vector<Trial> trials = make_trials(scene, resolution, plan.rays, run);
+Results crosscheck(const Scene& scene, const Imath::V2i& resolution, const CrosscheckConfig& config,
+                   const CrosscheckProgress& run) {
+    const std::vector<Trial> trials = make_trials(scene, resolution, config.rays, run);
     const bool stopped_oracle = run.stop;
-    const std::vector<Tracer> tracers = ask_all(plan, scene, trials, run);
+    const std::vector<CrosscheckedTracer> tracers = trace_all(config, scene, trials, run);
     Results results;
-    results.stopped = stopped_oracle || tracers.size() < plan.backends.size();
+    results.stopped = stopped_oracle || tracers.size() < config.backends.size();
     for (const Trial& trial : trials) results.kinds.push_back(trial.kind);
-    for (const Tracer& c : tracers) {
-        results.backends.push_back(results_of(scene, trials, c, plan.worst));
+    for (const CrosscheckedTracer& c : tracers) {
+        results.backends.push_back(results_of(scene, trials, c, config.worst));
     }
     results.contingencies = contingencies(trials, tracers);
     return results;

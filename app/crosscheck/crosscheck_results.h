@@ -25,7 +25,7 @@ struct Results {
     bool as_promised() const;
 };
 
-struct Plan {
+struct CrosscheckConfig {
     std::vector<std::string> backends;
     std::size_t rays = 1000;  ///< approximate number of each kind
     std::size_t worst = 5;    ///< number of rays kept for each backend
@@ -33,7 +33,7 @@ struct Plan {
 
 /// Compares the backends with the oracle. A stop during the oracle's work leaves fewer rays, which
 /// are then traced with all backends; a later stop leaves fewer backends.
-Results crosscheck(const Scene& scene, const Imath::V2i& resolution, const Plan& plan,
-                   const RunControl& run);
+Results crosscheck(const Scene& scene, const Imath::V2i& resolution, const CrosscheckConfig& config,
+                   const CrosscheckProgress& run);
 
 }  // namespace etalon::crosscheck

@@ -22,11 +22,12 @@ Answers trace(const Intersector& intersector, const std::vector<Ray>& rays,
 
 }  // namespace
 
-std::optional<Tracer> trace(const std::string& backend, const Scene& scene,
-                            const std::vector<Trial>& trials, const RunControl& run) {
+std::optional<CrosscheckedTracer> trace(const std::string& backend, const Scene& scene,
+                                        const std::vector<Trial>& trials,
+                                        const CrosscheckProgress& run) {
     const Backend* found = find_backend(backend);
     const auto intersector = found->build(scene.geometry);
-    Tracer tracer{backend, found->exact, {}};
+    CrosscheckedTracer tracer{backend, found->exact, {}};
     for (const Trial& trial : trials) {
         tracer.answers.push_back(trace(*intersector, trial.rays, run.stop));
     }

@@ -17,14 +17,15 @@ struct Answers {
     double seconds = 0;  ///< processor time of closest(), one thread
 };
 
-struct Tracer {
+struct CrosscheckedTracer {
     std::string name;
     bool exact;                    ///< see Backend
     std::vector<Answers> answers;  ///< one for each trial
 };
 
 /// Returns the backend's answers to all rays; nothing if it was stopped before the last one.
-std::optional<Tracer> trace(const std::string& backend, const Scene& scene,
-                            const std::vector<Trial>& trials, const RunControl& run);
+std::optional<CrosscheckedTracer> trace(const std::string& backend, const Scene& scene,
+                                        const std::vector<Trial>& trials,
+                                        const CrosscheckProgress& run);
 
 }  // namespace etalon::crosscheck

@@ -21,7 +21,7 @@ Trial answered(const RaySet& set, const std::vector<std::optional<OracleAnswer>>
 
 /// Returns the oracle's answers, until a stop. `done` kinds of ray were answered before.
 Trial answered_trial(const Oracle& oracle, const RaySet& set, std::size_t done,
-                     const RunControl& run) {
+                     const CrosscheckProgress& run) {
     std::vector<std::optional<OracleAnswer>> answers(set.rays.size());
     std::atomic<std::size_t> count = 0;
     parallel_for(set.rays.size(), 16, [&](std::size_t begin, std::size_t end) {
@@ -38,7 +38,7 @@ Trial answered_trial(const Oracle& oracle, const RaySet& set, std::size_t done,
 }  // namespace
 
 std::vector<Trial> make_trials(const Scene& scene, const Imath::V2i& resolution, std::size_t limit,
-                               const RunControl& run) {
+                               const CrosscheckProgress& run) {
     run.begin("oracle");
     const auto exact = find_backend(default_backend)->build(scene.geometry);
     const Oracle oracle(scene.geometry);

@@ -10,7 +10,7 @@
 namespace etalon::crosscheck {
 
 /// Progress and stop flag of a cross-check, most of whose time the oracle takes.
-struct RunControl {
+struct CrosscheckProgress {
     const std::atomic<bool>& stop;                        ///< if set, stop soon and keep results
     std::function<void(const std::string& stage)> begin;  ///< called before "oracle", "backends"
     std::function<void(double)> progress;  ///< called with the fraction done, from any thread
@@ -26,6 +26,6 @@ struct Trial {
 /// Returns about `limit` rays of each kind for an image of this resolution; fewer if the scene has
 /// no more, e.g. no light. After a stop returns those that the oracle has answered.
 std::vector<Trial> make_trials(const Scene& scene, const Imath::V2i& resolution, std::size_t limit,
-                               const RunControl& run);
+                               const CrosscheckProgress& run);
 
 }  // namespace etalon::crosscheck

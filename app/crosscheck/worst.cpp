@@ -26,7 +26,8 @@ struct Case {
 
 /// Returns the cases for whose classification `wanted` holds, in the order of the trials.
 template <class F>
-std::vector<Case> cases(const std::vector<Trial>& trials, const Tracer& tracer, const F& wanted) {
+std::vector<Case> cases(const std::vector<Trial>& trials, const CrosscheckedTracer& tracer,
+                        const F& wanted) {
     std::vector<Case> found;
     for (std::size_t t = 0; t < trials.size(); ++t) {
         for (std::size_t i = 0; i < trials[t].rays.size(); ++i) {
@@ -58,7 +59,7 @@ std::string what_is_wrong(const Classification& v, const Answer& answer) {
 }  // namespace
 
 std::vector<WorstRay> worst_rays(const Scene& scene, const std::vector<Trial>& trials,
-                                 const Tracer& tracer, std::size_t limit) {
+                                 const CrosscheckedTracer& tracer, std::size_t limit) {
     auto found = cases(trials, tracer, [](const Classification& v) { return !v.right(); });
     if (found.empty()) {
         found = cases(trials, tracer, [](const Classification& v) { return v.t_ulp > 0; });

@@ -17,7 +17,7 @@ struct WorstRay {
 /// or miss, then a wrong occlusion, then a wrong primitive; of these the ones with the largest
 /// error of t. If none is wrong, returns those with the largest errors of t.
 std::vector<WorstRay> worst_rays(const Scene& scene, const std::vector<Trial>& trials,
-                                 const Tracer& tracer, std::size_t limit);
+                                 const CrosscheckedTracer& tracer, std::size_t limit);
 
 /// Returns two lines: the error as a comment, and the ray in hexadecimal floats, which are exact.
 std::string trace_lines(const WorstRay& worst);

@@ -30,7 +30,7 @@ OracleAnswer undecidable() {
 const Answer nothing;
 const Answer ball_at_2{Hit{2, 7}, true};
 
-Tracer tracer(const std::string& name, std::vector<Answer> answers) {
+CrosscheckedTracer tracer(const std::string& name, std::vector<Answer> answers) {
     return {name, false, {Answers{std::move(answers)}}};
 }
 
@@ -78,8 +78,8 @@ TEST_CASE("A contingency table counts decided rays by who is right", "[crosschec
     const std::vector<Trial> trials = {
         {"aimed", std::vector<Ray>(6), {{}, {}, {}, {}, {}, undecidable()}}};
     const Answer& wrong = ball_at_2;
-    const Tracer a = tracer("a", {nothing, nothing, nothing, nothing, wrong, wrong});
-    const Tracer b = tracer("b", {nothing, wrong, wrong, wrong, wrong, nothing});
+    const CrosscheckedTracer a = tracer("a", {nothing, nothing, nothing, nothing, wrong, wrong});
+    const CrosscheckedTracer b = tracer("b", {nothing, wrong, wrong, wrong, wrong, nothing});
     const Contingency c = contingency(trials, a, b);
     CHECK(c.both_right == 1);
     CHECK(c.only_a_right == 3);
@@ -115,7 +115,7 @@ TEST_CASE("The worst rays come gravest first, the furthest off among equals", "[
     Scene scene;
     for (int i = 0; i < 8; ++i) scene.geometry.add(Sphere{Vec3(0), 1}, 0);
     const Trial trial{"bounce", std::vector<Ray>(4), std::vector(4, hit_at(2, {7}))};
-    const Tracer c =
+    const CrosscheckedTracer c =
         tracer("c", {{Hit{2.5, 6}, true}, {Hit{3, 6}, true}, nothing, {Hit{2 + 0x1p-50, 7}, true}});
     const auto worst = worst_rays(scene, {trial}, c, 9);
     REQUIRE(worst.size() == 3);
@@ -125,7 +125,7 @@ TEST_CASE("The worst rays come gravest first, the furthest off among equals", "[
     CHECK(worst[2].found == "hit 2.5 sphere 6");
     CHECK(worst_rays(scene, {trial}, c, 1).size() == 1);
 
-    const Tracer good = tracer("good", {4, {Hit{2 + 0x1p-50, 7}, true}});
+    const CrosscheckedTracer good = tracer("good", {4, {Hit{2 + 0x1p-50, 7}, true}});
     CHECK(worst_rays(scene, {trial}, good, 9).at(0).wrong == "t off by 2 ulp");
 }
 
@@ -138,11 +138,11 @@ TEST_CASE("A stop leaves the rays that the oracle, or the backends that have ans
         INFO(stage);
         std::atomic<bool> stop = false, outside = false;
         std::string now;
-        const RunControl run{stop, [&](const std::string& begun) { now = begun; },
-                             [&](double part) {
-                                 if (part < 0 || part > 1) outside = true;
-                                 if (now == stage) stop = true;
-                             }};
+        const CrosscheckProgress run{stop, [&](const std::string& begun) { now = begun; },
+                                     [&](double part) {
+                                         if (part < 0 || part > 1) outside = true;
+                                         if (now == stage) stop = true;
+                                     }};
         const Results results =
             crosscheck::crosscheck(*loaded.scene, {32, 24}, {{"bvh", "grid", "none"}, 400, 1}, run);
         CHECK_FALSE(outside);
