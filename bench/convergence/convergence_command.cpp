@@ -31,7 +31,7 @@ struct ConvergenceArguments {
     std::string scene, reference, foreign, json, csv;
     int width = 0;
     std::vector<std::string> integrators{std::string(scene_integrator)};
-    Plan plan;
+    ConvergenceConfig config;
 };
 
 int fail(int status, const std::string& message) {
@@ -63,12 +63,12 @@ Result<Measured> measure_integrator(const ConvergenceArguments& a, const bench::
                                     const RenderSettings& settings, const RunProgress& run) {
     Result<ReferenceImage> reference =
         a.reference.empty()
-            ? Result<ReferenceImage>{render_reference(*named.scene, settings, a.plan, run), {}}
+            ? Result<ReferenceImage>{render_reference(*named.scene, settings, a.config, run), {}}
             : read_reference_image(a.reference, settings);
     if (!reference) return {{}, reference.error};
     Measured measured;
     measured.reference = reference.value.description;
-    measured.curves = measure(*named.scene, settings, reference.value, a.plan, run);
+    measured.curves = measure(*named.scene, settings, reference.value, a.config, run);
     return {std::move(measured), {}};
 }
 
@@ -133,13 +133,13 @@ int measure_convergence(ConvergenceArguments a) {
     if (!error.empty()) return fail(status, error);
     Stopwatch reading;
     bench::NamedScene named = bench::bench_scene(a.scene);
-    a.plan.reading_seconds = frames::seconds_before_main() + reading.lap().cpu;
+    a.config.reading_seconds = frames::seconds_before_main() + reading.lap().cpu;
     write_message(named.messages);
     if (!named.scene) return exit_unusable;
     const std::string unfit = check_integrators(a, named);
     if (!unfit.empty()) return fail(exit_usage, unfit);
     bench::set_width(named.settings, a.width);
-    Measured all{a.scene, named.settings.resolution, a.plan.seeds};
+    Measured all{a.scene, named.settings.resolution, a.config.seeds};
     if (!a.foreign.empty()) {
         const std::string fault = measure_foreign_images(a, named.settings, all);
         write_message(fault.empty() ? "" : fault + "\n");
@@ -171,7 +171,7 @@ Action declare_convergence(Options& options) {
              "serves without --reference")
         .value("TABLE");
     options
-        .add("--samplers", a->plan.samplers,
+        .add("--samplers", a->config.samplers,
              "Comma-separated list of samplers, all with the first backend")
         .by_commas()
         .one_of(sampler_names())
@@ -184,16 +184,16 @@ Action declare_convergence(Options& options) {
         .one_of(integrator_choices())
         .show_default();
     options
-        .add("--backends", a->plan.backends,
+        .add("--backends", a->config.backends,
              "Comma-separated list of backends; those after the first only with "
              "the last sampler")
         .by_commas()
         .one_of(backend_names())
         .show_default();
-    options.add("--spp", a->plan.samples, "Number of samples per pixel at the end of a curve")
+    options.add("--spp", a->config.samples, "Number of samples per pixel at the end of a curve")
         .within(4, 1 << 16)
         .show_default();
-    options.add("--seeds", a->plan.seeds, "Number of images, of different seeds, for each curve")
+    options.add("--seeds", a->config.seeds, "Number of images, of different seeds, for each curve")
         .within(1, 1000)
         .show_default();
     options

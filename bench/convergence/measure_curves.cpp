@@ -25,9 +25,9 @@ constexpr double no_error = 1e-30;
 constexpr int any_samples = 1 << 24;
 
 /// A scene prepared for repeated rendering.
-class Studio {
+class PreparedScene {
   public:
-    Studio(const Scene& scene, const std::string& backend)
+    PreparedScene(const Scene& scene, const std::string& backend)
         : scene_(scene), intersector_(find_backend(backend)->build(scene.geometry)) {
         build_seconds_ = watch_.lap().cpu;
     }
@@ -52,15 +52,20 @@ class Studio {
 /// Renders one image and measures its error after every pass. The time of measuring is not counted.
 class SeedRun {
   public:
-    SeedRun(const Studio& studio, const RenderSettings& settings, const ReferenceImage& reference,
-            const Plan& plan, const std::atomic<bool>& stop)
-        : studio_(studio), settings_(settings), reference_(reference), plan_(plan), stop_(stop) {}
+    SeedRun(const PreparedScene& prepared, const RenderSettings& settings,
+            const ReferenceImage& reference, const ConvergenceConfig& config,
+            const std::atomic<bool>& stop)
+        : prepared_(prepared),
+          settings_(settings),
+          reference_(reference),
+          config_(config),
+          stop_(stop) {}
 
     /// Empty if it was stopped.
     std::vector<Point> points(const std::string& sampler, std::uint32_t seed) {
         RenderSettings settings = settings_;
         const bool is_adaptive = sampler == "adaptive";
-        settings.samples_per_pixel = is_adaptive ? any_samples : plan_.samples;
+        settings.samples_per_pixel = is_adaptive ? any_samples : config_.samples;
         settings.target_error = is_adaptive ? no_error : 0;
         settings.sampler = sampler == "random" ? Sampler::random : Sampler::sobol;
         settings.seed = seed;
@@ -69,9 +74,9 @@ class SeedRun {
         control.observers = {{.progress = [&](double) { enough_ = enough_ || stop_; },
                               .after_pass = [&](const RenderedPass& pass) { note(pass.film); }}};
         watch_.lap();
-        const auto integrator = studio_.integrator(settings, replaced_images_);
+        const auto integrator = prepared_.integrator(settings, replaced_images_);
         integrator_seconds_ = watch_.lap().cpu;
-        render(studio_.camera(), *integrator, settings, control);
+        render(prepared_.camera(), *integrator, settings, control);
         std::ranges::move(integrator->late_problems(), std::back_inserter(replaced_images_));
         return stop_ ? std::vector<Point>() : std::move(points_);
     }
@@ -90,14 +95,14 @@ class SeedRun {
         point.mse_least = point.mse_most = point.mse;
         point.mean_difference = mean_difference(mean(pixels), mean(reference_.pixels));
         points_.push_back(point);
-        enough_ = point.samples >= plan_.samples;
+        enough_ = point.samples >= config_.samples;
         watch_.lap();
     }
 
-    const Studio& studio_;
+    const PreparedScene& prepared_;
     const RenderSettings& settings_;
     const ReferenceImage& reference_;
-    const Plan& plan_;
+    const ConvergenceConfig& config_;
     const std::atomic<bool>& stop_;
     std::atomic<bool> enough_ = false;
     Stopwatch watch_;
@@ -132,15 +137,15 @@ std::vector<Point> mean_of(const std::vector<std::vector<Point>>& seeds) {
 }
 
 /// Returns the curves to measure, still without points.
-std::vector<Curve> wanted(const Plan& plan, const std::string& integrator) {
+std::vector<Curve> wanted(const ConvergenceConfig& config, const std::string& integrator) {
     std::vector<Curve> curves;
     const auto add = [&](const std::string& sampler, const std::string& backend) {
         curves.push_back({fmt::format("{}, {}, {}", integrator, sampler, backend), sampler,
                           integrator, backend});
     };
-    for (const std::string& sampler : plan.samplers) add(sampler, plan.backends.front());
-    for (std::size_t i = 1; i < plan.backends.size(); ++i) {
-        add(plan.samplers.back(), plan.backends[i]);
+    for (const std::string& sampler : config.samplers) add(sampler, config.backends.front());
+    for (std::size_t i = 1; i < config.backends.size(); ++i) {
+        add(config.samplers.back(), config.backends[i]);
     }
     return curves;
 }
@@ -153,37 +158,37 @@ const std::vector<std::string>& sampler_names() {
 }
 
 ReferenceImage render_reference(const Scene& scene, const RenderSettings& scene_settings,
-                                const Plan& plan, const RunProgress& run) {
+                                const ConvergenceConfig& config, const RunProgress& run) {
     RenderSettings settings = scene_settings;
-    settings.samples_per_pixel = reference_times * plan.samples;
+    settings.samples_per_pixel = reference_times * config.samples;
     settings.seed = reference_seed;
     RunControl control;
     control.stop = &run.stop;
     control.observers = {{.progress = run.progress}};
-    const Studio studio(scene, plan.backends.front());
+    const PreparedScene prepared(scene, config.backends.front());
     std::vector<std::string> problems;  // the curves have the same
-    const auto integrator = studio.integrator(settings, problems);
+    const auto integrator = prepared.integrator(settings, problems);
     const Rendering r = render(scene.camera, *integrator, settings, control);
     return {image_pixels(r.film, settings),
             fmt::format("{} samples per pixel", settings.samples_per_pixel)};
 }
 
 std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
-                           const ReferenceImage& reference, const Plan& plan,
+                           const ReferenceImage& reference, const ConvergenceConfig& config,
                            const RunProgress& run) {
     const ThreadLimit alone(1);
     std::vector<Curve> done;
-    const std::vector<Curve> curves = wanted(plan, settings.integrator);
+    const std::vector<Curve> curves = wanted(config, settings.integrator);
     for (Curve curve : curves) {
-        const Studio studio(scene, curve.backend);
+        const PreparedScene prepared(scene, curve.backend);
         std::vector<std::vector<Point>> seeds;
-        for (int seed = 0; seed < plan.seeds && !run.stop; ++seed) {
-            SeedRun seed_run(studio, settings, reference, plan, run.stop);
+        for (int seed = 0; seed < config.seeds && !run.stop; ++seed) {
+            SeedRun seed_run(prepared, settings, reference, config, run.stop);
             seeds.push_back(seed_run.points(curve.sampler, static_cast<std::uint32_t>(seed)));
             curve.preparation =
-                plan.reading_seconds + studio.build_seconds() + seed_run.integrator_seconds();
+                config.reading_seconds + prepared.build_seconds() + seed_run.integrator_seconds();
             curve.replaced_images = seed_run.replaced_images();
-            const double part = static_cast<double>(seed + 1) / plan.seeds;
+            const double part = static_cast<double>(seed + 1) / config.seeds;
             const auto before = static_cast<double>(done.size());
             run.progress((before + part) / static_cast<double>(curves.size()));
         }

@@ -13,7 +13,7 @@ namespace etalon::convergence {
 /// Returns the names of the sampling methods: "random", "sobol" and "adaptive".
 const std::vector<std::string>& sampler_names();
 
-struct Plan {
+struct ConvergenceConfig {
     std::vector<std::string> samplers = sampler_names();
     std::vector<std::string> backends{default_backend};
     int samples = 64;  ///< per pixel, at the end of each curve
@@ -39,12 +39,12 @@ struct ReferenceImage {
 inline constexpr int reference_times = 32;
 
 ReferenceImage render_reference(const Scene& scene, const RenderSettings& settings,
-                                const Plan& plan, const RunProgress& run);
+                                const ConvergenceConfig& config, const RunProgress& run);
 
 /// Returns the curves, with the integrator of the settings, of all samplers with the first backend,
 /// and of the last sampler with the others. Curves that a stop leaves unfinished are left out.
 std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
-                           const ReferenceImage& reference, const Plan& plan,
+                           const ReferenceImage& reference, const ConvergenceConfig& config,
                            const RunProgress& run);
 
 }  // namespace etalon::convergence

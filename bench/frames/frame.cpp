@@ -47,11 +47,11 @@ RenderedImage image_of(const Film& film) {
 
 }  // namespace
 
-Frame::Frame(const Scene& scene, const RenderSettings& settings, const Plan& plan,
+Frame::Frame(const Scene& scene, const RenderSettings& settings, const FrameConfig& config,
              std::uint64_t rays_to_record)
     : scene_(scene),
       settings_(settings),
-      control_{plan.deadline, plan.stop},
+      control_{config.deadline, config.stop},
       backend_(built()),
       intersector_(scene.geometry, *backend_, chosen_backend(settings_).exact) {
     Stopwatch cold;
@@ -64,7 +64,7 @@ Frame::Frame(const Scene& scene, const RenderSettings& settings, const Plan& pla
     rendered(*made(*recorded_, same_problems));
 }
 
-std::string Frame::measure_again(const Plan& plan) {
+std::string Frame::measure_again(const FrameConfig& config) {
     Repeat r;
     Stopwatch watch;
     built();
@@ -78,9 +78,9 @@ std::string Frame::measure_again(const Plan& plan) {
     r.camera = watch.lap().cpu - r.film;
     const RenderedImage image = image_of(first_->film);
     watch.lap();
-    std::string error = write_image(plan.image, image);
+    std::string error = write_image(config.image, image);
     r.write = watch.lap().cpu;
-    if (!plan.is_over()) repeats_.push_back(r);
+    if (!config.is_over()) repeats_.push_back(r);
     return error;
 }
 

@@ -20,11 +20,11 @@ class Frame {
   public:
     /// Renders the frame twice, first cold and then to record about so many of its rays. The scene
     /// must outlive this.
-    Frame(const Scene& scene, const RenderSettings& settings, const Plan& plan,
+    Frame(const Scene& scene, const RenderSettings& settings, const FrameConfig& config,
           std::uint64_t rays_to_record);
 
     /// Measures all stages once more. Returns why the image cannot be written, or nothing.
-    std::string measure_again(const Plan& plan);
+    std::string measure_again(const FrameConfig& config);
 
     /// Returns the medians, apart from what belongs to the scene. There must be repeats.
     FrameFigures figures() const;

@@ -26,7 +26,7 @@ struct FramesArguments {
     std::vector<std::string> scenes;
     std::string json;
     bool wide = false;
-    frames::Plan plan;
+    frames::FrameConfig config;
 
     table::Detail detail() const { return wide ? table::Detail::wide : table::Detail::narrow; }
 };
@@ -39,8 +39,8 @@ int fail(int status, const std::string& message) {
 /// Measures the scenes until a stop or the first error, which it returns.
 std::string measure_all(const FramesArguments& a, std::vector<frames::FrameFigures>& figures) {
     for (const std::string& scene : a.scenes) {
-        if (a.plan.is_over()) break;
-        const auto frame = frames::measure_frame(scene, a.plan);
+        if (a.config.is_over()) break;
+        const auto frame = frames::measure_frame(scene, a.config);
         if (!frame) return frame.error;
         for (frames::FrameFigures f : frame.value) {
             f.scene = std::filesystem::path(scene).stem().string();
@@ -61,7 +61,7 @@ bool write_results(const FramesArguments& a, const std::vector<frames::FrameFigu
     }
     if (a.json.empty()) return true;
     Json json = provenance();
-    json["repeats"] = a.plan.repeats;
+    json["repeats"] = a.config.repeats;
     json["frames"] = Json::array();
     for (const frames::FrameFigures& f : figures) json["frames"].push_back(json_of(f));
     json["stopped"] = stopped;
@@ -77,9 +77,9 @@ int measure_frames(FramesArguments a) {
     if (!clash.empty()) return fail(status, clash);
     const frames::ScratchFolder folder;
     if (!folder.error().empty()) return fail(exit_not_written, folder.error());
-    a.plan.image = folder.file("frame.exr");
+    a.config.image = folder.file("frame.exr");
     const SignalGuard signals;
-    a.plan.stop = &signals.raised();
+    a.config.stop = &signals.raised();
     std::vector<frames::FrameFigures> figures;
     const std::string error = measure_all(a, figures);
     if (!error.empty()) fail(exit_unusable, error);
@@ -97,17 +97,17 @@ Action declare_frames(Options& options) {
     options.add("SCENE", a->scenes, "Scene files, or names of `etalon-bench speed --list`")
         .required();
     options
-        .add("-b,--backends", a->plan.backends,
+        .add("-b,--backends", a->config.backends,
              "Comma-separated list of backends, measured in turn (default: the scene's)")
         .by_commas()
         .one_of(backend_names());
     options
-        .add("--width", a->plan.width,
+        .add("--width", a->config.width,
              "Width of the image in pixels; its height follows (default: the scene's)")
         .within(1, max_image_side);
-    options.add("--spp", a->plan.samples, "Number of samples per pixel (default: the scene's)")
+    options.add("--spp", a->config.samples, "Number of samples per pixel (default: the scene's)")
         .within(1, 1 << 16);
-    options.add("--repeat", a->plan.repeats, "Number of times each stage is measured")
+    options.add("--repeat", a->config.repeats, "Number of times each stage is measured")
         .within(1, 1000)
         .show_default();
     options.add_flag("--wide", a->wide, "Show all columns, not only those that fit 100 characters");

@@ -22,25 +22,25 @@ constexpr std::uint64_t recorded_rays = 2'000'000;
 
 using Frames = std::vector<std::unique_ptr<Frame>>;
 
-/// Returns a frame for each backend of the plan. All together record no more rays than one alone.
-Frames frames_of(const Scene& scene, RenderSettings settings, const Plan& plan) {
+/// Returns a frame for each backend of the config. All together record no more rays than one alone.
+Frames frames_of(const Scene& scene, RenderSettings settings, const FrameConfig& config) {
     Frames frames;
-    std::vector<std::string> backends = plan.backends;
+    std::vector<std::string> backends = config.backends;
     if (backends.empty()) backends.push_back(settings.backend);
     for (const std::string& backend : backends) {
         settings.backend = backend;
         frames.push_back(
-            std::make_unique<Frame>(scene, settings, plan, recorded_rays / backends.size()));
+            std::make_unique<Frame>(scene, settings, config, recorded_rays / backends.size()));
     }
     return frames;
 }
 
 /// Measures all frames alternately, until it is over; returns an error message, or nothing.
-std::string repeat(const Frames& frames, const Plan& plan) {
+std::string repeat(const Frames& frames, const FrameConfig& config) {
     std::string error;
-    const auto is_over = [&] { return plan.is_over() || !error.empty(); };
-    speed::alternate(plan.repeats, frames.size(), is_over,
-                     [&](int, std::size_t k) { error = frames[k]->measure_again(plan); });
+    const auto is_over = [&] { return config.is_over() || !error.empty(); };
+    speed::alternate(config.repeats, frames.size(), is_over,
+                     [&](int, std::size_t k) { error = frames[k]->measure_again(config); });
     return error;
 }
 
@@ -57,18 +57,19 @@ std::vector<FrameFigures> figures_of(const Frames& frames) {
 
 }  // namespace
 
-Result<std::vector<FrameFigures>> measure_frame(const std::string& name, const Plan& plan) {
+Result<std::vector<FrameFigures>> measure_frame(const std::string& name,
+                                                const FrameConfig& config) {
     Stopwatch watch;
     bench::NamedScene named = bench::bench_scene(name);
     const double load = watch.lap().cpu;
     write_message(named.messages);
     if (!named.scene) return {{}, fmt::format("{}: no scene to measure", name)};
-    bench::set_width(named.settings, plan.width);
-    if (plan.samples > 0) named.settings.samples_per_pixel = plan.samples;
+    bench::set_width(named.settings, config.width);
+    if (config.samples > 0) named.settings.samples_per_pixel = config.samples;
     const ThreadLimit one_thread(1);
-    const Frames frames = frames_of(*named.scene, named.settings, plan);
+    const Frames frames = frames_of(*named.scene, named.settings, config);
     write_message(stand_in_warnings(*named.scene, name, frames.front()->problems()));
-    const std::string error = repeat(frames, plan);
+    const std::string error = repeat(frames, config);
     if (!error.empty()) return {{}, error};
     std::vector<FrameFigures> all = figures_of(frames);
     for (FrameFigures& f : all) {

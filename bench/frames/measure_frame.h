@@ -11,7 +11,7 @@
 namespace etalon::frames {
 
 /// What to measure for each scene.
-struct Plan {
+struct FrameConfig {
     int repeats = 5;
     int width = 0;    ///< of the image in pixels, with the scene's aspect; 0: the scene's
     int samples = 0;  ///< per pixel; 0: the scene's
@@ -26,6 +26,7 @@ struct Plan {
 /// Loads a scene, a file or a name of bench_scene(), and measures its frame with each backend on
 /// one thread. Messages about the scene go to standard error. If it is over early, backends have
 /// fewer repeats, and those that would have none are left out.
-Result<std::vector<FrameFigures>> measure_frame(const std::string& scene, const Plan& plan);
+Result<std::vector<FrameFigures>> measure_frame(const std::string& scene,
+                                                const FrameConfig& config);
 
 }  // namespace etalon::frames

@@ -11,9 +11,9 @@
 namespace etalon::bench_report {
 namespace {
 
-/// The baselines always take part.
-std::vector<std::string> asked(const speed::Plan& plan) {
-    std::vector<std::string> names = plan.tracers;
+/// Returns the tracers to request; the baselines are always measured.
+std::vector<std::string> requested(const speed::SpeedConfig& config) {
+    std::vector<std::string> names = config.tracers;
     std::erase_if(names, [](const std::string& name) {
         return name == speed::baseline || name == speed::robust_baseline;
     });
@@ -35,12 +35,12 @@ std::string command_of(const Settings& settings) {
 }
 
 std::string speed_command(const Settings& settings, const std::string& scene) {
-    const speed::Plan& plan = settings.plan;
+    const speed::SpeedConfig& config = settings.speed_config;
     return fmt::format(
         "build/bin/etalon-bench speed --scene {} --backends {} --threads {} --repeat {} "
         "--max-rays {} --oracle {}",
-        scene, fmt::join(asked(plan), ","), fmt::join(plan.threads, ","), plan.repeats,
-        plan.max_rays, plan.oracle_seconds);
+        scene, fmt::join(requested(config), ","), fmt::join(config.threads, ","), config.repeats,
+        config.max_rays, config.oracle_seconds);
 }
 
 std::string speed_command(const Settings& settings) {
@@ -48,11 +48,11 @@ std::string speed_command(const Settings& settings) {
 }
 
 std::string builds_command(const Settings& settings, const std::string& scene) {
-    const speed::Plan& plan = settings.plan;
+    const speed::SpeedConfig& config = settings.speed_config;
     return fmt::format(
         "build/bin/etalon-bench speed --only-build --scene {} --backends {} --threads {} "
         "--repeat {}",
-        scene, fmt::join(asked(plan), ","), fmt::join(plan.threads, ","), plan.repeats);
+        scene, fmt::join(requested(config), ","), fmt::join(config.threads, ","), config.repeats);
 }
 
 std::string accuracy_command(const Settings& settings) {

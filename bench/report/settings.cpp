@@ -96,8 +96,8 @@ Settings quick_settings() {
     s.seconds_limit = 160;
     s.speed_scenes = {"terrain:50000", "flake:50000",  "soup:100000",  "stadium:30000",
                       "slivers:10000", "spheres:1000", "spheres:20000"};
-    s.plan = {speed::with_baselines(all_but_reference()), {1},    3, 0.2,
-              {"camera", "bounce", "shadow", "random"},   1 << 15};
+    s.speed_config = {speed::with_baselines(all_but_reference()), {1},    3, 0.2,
+                      {"camera", "bounce", "shadow", "random"},   1 << 15};
     s.accuracy_backends = all_but_reference();
     s.case_rays = 1024;
     s.case_seconds = 0.1;
@@ -123,10 +123,10 @@ Settings full_settings() {
     s.name = "full";
     s.seconds_limit = 0;
     s.speed_scenes = {"terrain", "flake", "soup", "stadium", "slivers", "spheres:1000", "spheres"};
-    if (speed::usable_cores() > 1) s.plan.threads.push_back(speed::usable_cores());
-    s.plan.repeats = 5;
-    s.plan.oracle_seconds = 1;
-    s.plan.max_rays = 1 << 18;
+    if (speed::usable_cores() > 1) s.speed_config.threads.push_back(speed::usable_cores());
+    s.speed_config.repeats = 5;
+    s.speed_config.oracle_seconds = 1;
+    s.speed_config.max_rays = 1 << 18;
     add_usual_frames({480, 4}, {0, 0}, s);
     s.frame_repeats = 5;
     s.case_rays = 100'000;

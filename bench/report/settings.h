@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/convergence/foreign_table.h"
-#include "bench/speed/plan.h"
+#include "bench/speed/speed_config.h"
 
 namespace etalon::bench_report {
 
@@ -55,7 +55,7 @@ struct Settings {
     double seconds_limit = 0;       ///< wall time after which the rest is left out; 0 is no limit
 
     std::vector<std::string> speed_scenes;
-    speed::Plan plan;
+    speed::SpeedConfig speed_config;
 
     std::vector<std::string> accuracy_backends;
     std::uint64_t case_rays;

@@ -12,17 +12,17 @@ std::string reference_of(const std::string& tracer) {
     return tracer == second_backend ? default_backend : second_backend;
 }
 
-const Tracer* find(const std::vector<Tracer>& list, const std::string& name) {
-    const auto found =
-        std::find_if(list.begin(), list.end(), [&](const Tracer& c) { return c.name() == name; });
+const TimedTracer* find(const std::vector<TimedTracer>& list, const std::string& name) {
+    const auto found = std::find_if(list.begin(), list.end(),
+                                    [&](const TimedTracer& c) { return c.name() == name; });
     return found == list.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-RayMeasurement::RayMeasurement(const hard::CaseSetup& setup, const std::vector<Tracer>& tracers,
-                               const Plan& plan)
-    : setup_(setup), tracers_(tracers), plan_(plan), oracle_(setup.scene.geometry) {
+RayMeasurement::RayMeasurement(const hard::CaseSetup& setup,
+                               const std::vector<TimedTracer>& tracers, const SpeedConfig& config)
+    : setup_(setup), tracers_(tracers), config_(config), oracle_(setup.scene.geometry) {
     for (const std::string name : {default_backend, second_backend}) {
         if (find(tracers, name) != nullptr) continue;
         const Backend& backend = find_tracer(name);
@@ -30,8 +30,8 @@ RayMeasurement::RayMeasurement(const hard::CaseSetup& setup, const std::vector<T
     }
 }
 
-const Tracer& RayMeasurement::who(const std::string& name) const {
-    const Tracer* tracer = find(tracers_, name);
+const TimedTracer& RayMeasurement::tracer_named(const std::string& name) const {
+    const TimedTracer* tracer = find(tracers_, name);
     return tracer != nullptr ? *tracer : *find(references_, name);
 }
 
@@ -51,16 +51,17 @@ std::vector<RayFigures> RayMeasurement::time(const RaySet& set,
     std::vector<RayFigures> all(tracers_.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
         all[i].tracer = tracers_[i].name();
-        all[i].by_threads = runs_on(plan_.threads);
+        all[i].by_threads = runs_on(config_.threads);
     }
-    const std::size_t ways = plan_.threads.size();
-    const auto shoot = [&](int, std::size_t k) {
-        const std::size_t i = k / ways;
+    const std::size_t numbers_of_threads = config_.threads.size();
+    const auto trace_once = [&](int, std::size_t k) {
+        const std::size_t i = k / numbers_of_threads;
         const Intersector& intersector = *tracers_[i].intersector;
-        Runs& runs = all[i].by_threads[k % ways];
+        Runs& runs = all[i].by_threads[k % numbers_of_threads];
         runs.repeats.push_back(trace(intersector, set, runs.threads, answers[i]));
     };
-    if (!alternate(plan_.repeats, tracers_.size() * ways, is_over, shoot)) return {};
+    if (!alternate(config_.repeats, tracers_.size() * numbers_of_threads, is_over, trace_once))
+        return {};
     compare_with_baselines(all);
     return all;
 }
@@ -71,13 +72,13 @@ std::vector<Answer> RayMeasurement::answers_of(const std::string& name, const Ra
         if (tracers_[i].name() == name) return answers[i];
     }
     std::vector<Answer> found(set.rays.size(), missed);
-    trace(*who(name).intersector, set, 1, found);
+    trace(*tracer_named(name).intersector, set, 1, found);
     return found;
 }
 
 OracleReferences RayMeasurement::oracle_references(const RaySet& set,
                                                    const std::vector<std::size_t>& places) const {
-    return {setup_, oracle_, set, places, plan_.oracle_seconds};
+    return {setup_, oracle_, set, places, config_.oracle_seconds};
 }
 
 /// Returns the disputed rays in an order of which every prefix is spread evenly over them, as time
@@ -94,14 +95,14 @@ void RayMeasurement::find_errors(const RaySet& set, const Answers& answers,
     const std::vector<Answer> first = answers_of(default_backend, set, answers);
     const std::vector<Answer> second = answers_of(second_backend, set, answers);
     const OracleReferences sample = oracle_references(set, scattered(set.rays.size()));
-    const OracleReferences quarrels = oracle_references(set, disputed_rays(set, answers));
+    const OracleReferences disputed = oracle_references(set, disputed_rays(set, answers));
     for (std::size_t i = 0; i < tracers_.size(); ++i) {
         Errors& errors = figures.tracers[i].errors;
         errors.reference = reference_of(tracers_[i].name());
         errors.disagreement = compare(
             answers[i], errors.reference == default_backend ? first : second, set.occlusion);
         errors.sample = sample.check(answers[i], tracers_[i].backend->exact);
-        errors.disputed = quarrels.check(answers[i], tracers_[i].backend->exact);
+        errors.disputed = disputed.check(answers[i], tracers_[i].backend->exact);
     }
 }
 

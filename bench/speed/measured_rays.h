@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "bench/speed/plan.h"
+#include "bench/speed/speed_config.h"
 #include "bench/speed/timed_tracer.h"
 
 namespace etalon::speed {
@@ -13,11 +13,11 @@ class RayMeasurement {
   public:
     /// The setup, of which only the scene and the tie are used, and the tracers, which must be
     /// built, must outlive this.
-    RayMeasurement(const hard::CaseSetup& setup, const std::vector<Tracer>& tracers,
-                   const Plan& plan);
+    RayMeasurement(const hard::CaseSetup& setup, const std::vector<TimedTracer>& tracers,
+                   const SpeedConfig& config);
 
     /// Returns the backend that decides where rays start.
-    const Intersector& exact() const { return *who(default_backend).intersector; }
+    const Intersector& exact() const { return *tracer_named(default_backend).intersector; }
 
     /// Measures a set of rays; nothing if it was over before the last repeat.
     std::optional<KindFigures> measure(const RaySet& set,
@@ -26,7 +26,7 @@ class RayMeasurement {
   private:
     using Answers = std::vector<std::vector<Answer>>;  ///< for each tracer
 
-    const Tracer& who(const std::string& name) const;
+    const TimedTracer& tracer_named(const std::string& name) const;
     std::vector<RayFigures> time(const RaySet& set, const std::function<bool()>& is_over,
                                  Answers& answers) const;
     std::vector<Answer> answers_of(const std::string& name, const RaySet& set,
@@ -37,10 +37,10 @@ class RayMeasurement {
     void find_errors(const RaySet& set, const Answers& answers, KindFigures& figures) const;
 
     const hard::CaseSetup& setup_;
-    const std::vector<Tracer>& tracers_;
-    const Plan plan_;
+    const std::vector<TimedTracer>& tracers_;
+    const SpeedConfig config_;
     const Oracle oracle_;
-    std::vector<Tracer> references_;  ///< others are compared with them; they are not measured
+    std::vector<TimedTracer> references_;  ///< others are compared with them; they are not measured
 };
 
 }  // namespace etalon::speed

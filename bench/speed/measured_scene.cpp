@@ -8,9 +8,9 @@
 namespace etalon::speed {
 namespace {
 
-std::vector<Tracer> enter(const Plan& plan) {
-    std::vector<Tracer> tracers;
-    for (const std::string& name : plan.tracers) {
+std::vector<TimedTracer> enter(const SpeedConfig& config) {
+    std::vector<TimedTracer> tracers;
+    for (const std::string& name : config.tracers) {
         tracers.push_back({&find_tracer(name), nullptr});
     }
     return tracers;
@@ -28,21 +28,22 @@ std::string shape_of(const Geometry& geometry) {
 }  // namespace
 
 SceneFigures measure_scene(const std::string& name, Scene scene, const Imath::V2i& resolution,
-                           const Plan& plan, const Observer& observer) {
+                           const SpeedConfig& config, const Observer& observer) {
     hard::CaseSetup setup;
     setup.scene = std::move(scene);
     const Geometry& geometry = setup.scene.geometry;
     SceneFigures figures{name, geometry.item_count(), shape_of(geometry), {}, {}};
-    std::vector<Tracer> tracers = enter(plan);
-    figures.builds = measure_builds(tracers, setup.scene, plan, observer.is_over);
+    std::vector<TimedTracer> tracers = enter(config);
+    figures.builds = measure_builds(tracers, setup.scene, config, observer.is_over);
     if (figures.builds.empty()) return figures;
     observer.show(figures);
-    if (plan.kinds.empty()) return figures;
-    const RayMeasurement measurement(setup, tracers, plan);
+    if (config.kinds.empty()) return figures;
+    const RayMeasurement measurement(setup, tracers, config);
     for (const char* kind : ray_kinds) {
-        if (std::find(plan.kinds.begin(), plan.kinds.end(), kind) == plan.kinds.end()) continue;
+        if (std::find(config.kinds.begin(), config.kinds.end(), kind) == config.kinds.end())
+            continue;
         const RaySet set =
-            make_ray_set(kind, setup.scene, resolution, measurement.exact(), plan.max_rays);
+            make_ray_set(kind, setup.scene, resolution, measurement.exact(), config.max_rays);
         if (set.rays.empty()) continue;
         std::optional<KindFigures> measured = measurement.measure(set, observer.is_over);
         if (!measured) break;

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "bench/speed/figures.h"
-#include "bench/speed/plan.h"
+#include "bench/speed/speed_config.h"
 #include "core/scene/scene.h"
 
 namespace etalon::speed {
@@ -14,9 +14,9 @@ struct Observer {
     std::function<bool()> is_over;  ///< called often; true: leave out what is not finished
 };
 
-/// Builds every tracer of the plan and traces rays of every kind that the scene has, for an image
+/// Builds every tracer of the config and traces rays of every kind that the scene has, for an image
 /// of this resolution. Builds or kinds that are not finished when it is over are left out.
 SceneFigures measure_scene(const std::string& name, Scene scene, const Imath::V2i& resolution,
-                           const Plan& plan, const Observer& observer);
+                           const SpeedConfig& config, const Observer& observer);
 
 }  // namespace etalon::speed

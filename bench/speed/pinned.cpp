@@ -45,9 +45,9 @@ double thread_cpu_seconds() {
 }
 
 /// Spinning barrier for threads: waking a sleeping thread takes as long as a thousand rays.
-class StartLine {
+class SpinBarrier {
   public:
-    explicit StartLine(int threads) : missing_(threads) {}
+    explicit SpinBarrier(int threads) : missing_(threads) {}
 
     void arrive_and_wait() {
         --missing_;
@@ -59,8 +59,8 @@ class StartLine {
     std::atomic<int> missing_;
 };
 
-/// One thread's share of the work.
-struct Shift {
+/// Times of one thread's share of the work.
+struct ThreadRun {
     double begin = 0, end = 0, cpu = 0;
     std::exception_ptr failure;
 
@@ -75,7 +75,7 @@ struct Shift {
         }
     }
 
-    void run(const std::function<void()>& work, const Clocks& clocks) {
+    void measure(const std::function<void()>& work, const Clocks& clocks) {
         begin = clocks.wall();
         const double start = clocks.thread_cpu();
         work();
@@ -84,9 +84,9 @@ struct Shift {
     }
 };
 
-Duration total(const std::vector<Shift>& shifts) {
-    double begin = shifts.front().begin, end = shifts.front().end, cpu = 0;
-    for (const Shift& s : shifts) {
+Duration total(const std::vector<ThreadRun>& runs) {
+    double begin = runs.front().begin, end = runs.front().end, cpu = 0;
+    for (const ThreadRun& s : runs) {
         if (s.failure) std::rethrow_exception(s.failure);
         begin = std::min(begin, s.begin);
         end = std::max(end, s.end);
@@ -104,20 +104,20 @@ int usable_cores() {
 const Clocks system_clocks{wall_seconds, thread_cpu_seconds};
 
 Duration run_pinned(int threads, const std::function<void()>& work, const Clocks& clocks) {
-    const std::vector<int> places = cores();
-    std::vector<Shift> shifts(static_cast<std::size_t>(threads));
-    StartLine line(threads);
-    std::vector<std::jthread> crew;
-    for (std::size_t k = 0; k < shifts.size(); ++k) {
-        crew.emplace_back([&, k] {
-            Shift& shift = shifts[k];
-            shift.attempt([&] { pin_to(places.at(k)); });
-            line.arrive_and_wait();
-            shift.attempt([&] { shift.run(work, clocks); });
+    const std::vector<int> core_ids = cores();
+    std::vector<ThreadRun> runs(static_cast<std::size_t>(threads));
+    SpinBarrier barrier(threads);
+    std::vector<std::jthread> pinned_threads;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        pinned_threads.emplace_back([&, k] {
+            ThreadRun& run = runs[k];
+            run.attempt([&] { pin_to(core_ids.at(k)); });
+            barrier.arrive_and_wait();
+            run.attempt([&] { run.measure(work, clocks); });
         });
     }
-    crew.clear();  // joins
-    return total(shifts);
+    pinned_threads.clear();  // joins
+    return total(runs);
 }
 
 }  // namespace etalon::speed

@@ -46,7 +46,7 @@ struct SpeedArguments {
 
     Detail detail() const { return wide ? Detail::wide : Detail::narrow; }
 
-    Plan plan() const {
+    SpeedConfig config() const {
         std::set<int> counts(threads.begin(), threads.end());
         counts.insert(1);
         return {with_baselines(backends),
@@ -79,7 +79,7 @@ std::string legend_of(const SpeedArguments& a) {
 /// Names the tracers that are Etalon's own kernels in disguise for this scene: comparisons with
 /// them say nothing about Embree's.
 void note_borrowed_kernels(const SpeedArguments& a, const Geometry& geometry) {
-    for (const std::string& name : a.plan().tracers) {
+    for (const std::string& name : a.config().tracers) {
         const Backend& backend = find_tracer(name);
         if (!backend.has_own_kernels || backend.has_own_kernels(geometry)) continue;
         write_table(a.json, fmt::format("{} has no kernels for these shapes: it calls Etalon's\n",
@@ -87,9 +87,9 @@ void note_borrowed_kernels(const SpeedArguments& a, const Geometry& geometry) {
     }
 }
 
-/// Names the kinds of rays that were asked for and of which the scene has none.
+/// Names the kinds of rays that were requested and of which the scene has none.
 void note_missing_kinds(const SpeedArguments& a, const SceneFigures& figures) {
-    for (const std::string& kind : a.plan().kinds) {
+    for (const std::string& kind : a.config().kinds) {
         if (std::ranges::find(figures.kinds, kind, &KindFigures::kind) != figures.kinds.end()) {
             continue;
         }
@@ -108,7 +108,7 @@ SceneFigures measure(const SpeedArguments& a, const std::string& name, Scene sce
     };
     const auto is_over = [&] { return stop.load(); };
     SceneFigures figures =
-        measure_scene(name, std::move(scene), resolution, a.plan(), {show, is_over});
+        measure_scene(name, std::move(scene), resolution, a.config(), {show, is_over});
     if (!is_over()) note_missing_kinds(a, figures);
     write_table(a.json, (figures.kinds.empty() ? "" : table_of_means(figures)) + "\n");
     return figures;
@@ -147,7 +147,7 @@ int measure_speed(const SpeedArguments& a) {
     if (a.list) return write_result(bench::list_of_scenes()), exit_done;
     if (const int status = check_arguments(a); status != exit_done) return status;
     const SignalGuard signals;
-    nlohmann::ordered_json json = json_of_environment(a.plan());
+    nlohmann::ordered_json json = json_of_environment(a.config());
     json["stopped"] = nullptr;
     json["scenes"] = nlohmann::ordered_json::array();
     for (const std::string& name : a.scenes) {

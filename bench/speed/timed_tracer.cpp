@@ -11,7 +11,7 @@
 namespace etalon::speed {
 namespace {
 
-Duration time_build(Tracer& tracer, const Scene& scene, int threads) {
+Duration time_build(TimedTracer& tracer, const Scene& scene, int threads) {
     const ThreadLimit limit(threads);
     const auto build = [&] { tracer.intersector = tracer.backend->build(scene.geometry); };
     tracer.intersector.reset();
@@ -34,26 +34,27 @@ const Backend& find_tracer(const std::string& name) {
     return backend == nullptr ? embree_builtin_robust() : *backend;
 }
 
-std::vector<std::string> with_baselines(const std::vector<std::string>& asked) {
+std::vector<std::string> with_baselines(const std::vector<std::string>& requested) {
     std::vector<std::string> names = tracer_names();
     std::erase_if(names, [&](const std::string& name) {
         return name != baseline && name != robust_baseline &&
-               std::find(asked.begin(), asked.end(), name) == asked.end();
+               std::find(requested.begin(), requested.end(), name) == requested.end();
     });
     return names;
 }
 
-std::vector<BuildFigures> measure_builds(std::vector<Tracer>& tracers, const Scene& scene,
-                                         const Plan& plan, const std::function<bool()>& is_over) {
-    const std::vector<int>& threads = plan.threads;
+std::vector<BuildFigures> measure_builds(std::vector<TimedTracer>& tracers, const Scene& scene,
+                                         const SpeedConfig& config,
+                                         const std::function<bool()>& is_over) {
+    const std::vector<int>& threads = config.threads;
     std::vector<BuildFigures> all(tracers.size());
     for (BuildFigures& figures : all) figures.by_threads = runs_on(threads);
     const auto build = [&](int, std::size_t k) {
-        const std::size_t who = k / threads.size(), how = k % threads.size();
-        const Duration seconds = time_build(tracers[who], scene, threads[how]);
-        all[who].by_threads[how].repeats.push_back(seconds);
+        const std::size_t tracer = k / threads.size(), run = k % threads.size();
+        const Duration seconds = time_build(tracers[tracer], scene, threads[run]);
+        all[tracer].by_threads[run].repeats.push_back(seconds);
     };
-    if (!alternate(plan.repeats, tracers.size() * threads.size(), is_over, build)) return {};
+    if (!alternate(config.repeats, tracers.size() * threads.size(), is_over, build)) return {};
     for (std::size_t i = 0; i < tracers.size(); ++i) {
         const Intersector& built = *tracers[i].intersector;
         all[i].tracer = tracers[i].name();

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "bench/speed/figures.h"
-#include "bench/speed/plan.h"
+#include "bench/speed/speed_config.h"
 #include "core/intersect/intersector.h"
 
 namespace etalon::speed {
@@ -14,9 +14,9 @@ std::vector<std::string> tracer_names();
 const Backend& find_tracer(const std::string& name);
 
 /// Returns the requested tracers and the baselines, in the order of tracer_names().
-std::vector<std::string> with_baselines(const std::vector<std::string>& asked);
+std::vector<std::string> with_baselines(const std::vector<std::string>& requested);
 
-struct Tracer {
+struct TimedTracer {
     const Backend* backend;
     std::unique_ptr<Intersector> intersector;
 
@@ -25,7 +25,8 @@ struct Tracer {
 
 /// Builds each tracer's intersector repeatedly and keeps the last one. A single thread is pinned;
 /// for more, oneTBB decides where they run. Returns nothing if it was over before the last repeat.
-std::vector<BuildFigures> measure_builds(std::vector<Tracer>& tracers, const Scene& scene,
-                                         const Plan& plan, const std::function<bool()>& is_over);
+std::vector<BuildFigures> measure_builds(std::vector<TimedTracer>& tracers, const Scene& scene,
+                                         const SpeedConfig& config,
+                                         const std::function<bool()>& is_over);
 
 }  // namespace etalon::speed

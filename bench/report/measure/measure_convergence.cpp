@@ -5,12 +5,13 @@
 namespace etalon::bench_report {
 namespace {
 
-convergence::Plan plan_of(const ConvergenceRequest& request, const Settings& settings) {
-    convergence::Plan plan;
-    plan.backends = settings.convergence_backends;
-    plan.samples = request.samples;
-    plan.seeds = settings.convergence_seeds;
-    return plan;
+convergence::ConvergenceConfig config_of(const ConvergenceRequest& request,
+                                         const Settings& settings) {
+    convergence::ConvergenceConfig config;
+    config.backends = settings.convergence_backends;
+    config.samples = request.samples;
+    config.seeds = settings.convergence_seeds;
+    return config;
 }
 
 void measure(const ConvergenceRequest& request, Results& results,
@@ -18,13 +19,13 @@ void measure(const ConvergenceRequest& request, Results& results,
     const auto shipped = shipped_scene(request.scene, request.width, request.height);
     if (!shipped) return;
     const auto& [scene, settings] = *shipped;
-    const convergence::Plan plan = plan_of(request, results.settings);
+    const convergence::ConvergenceConfig config = config_of(request, results.settings);
     const convergence::ReferenceImage reference = render_reference(
-        scene, settings, plan, {task_progress.stop, task_progress.part(0, 0.5).progress});
+        scene, settings, config, {task_progress.stop, task_progress.part(0, 0.5).progress});
     if (task_progress.is_over()) return;
     results.convergence.add(
         {request, reference.description,
-         convergence::measure(scene, settings, reference, plan,
+         convergence::measure(scene, settings, reference, config,
                               {task_progress.stop, task_progress.part(0.5, 1).progress})});
 }
 

@@ -52,20 +52,20 @@ bool is_same(const Point& p) {
     return true;
 }
 
-convergence::Plan plan_of(const Settings& settings, double reading_seconds) {
-    convergence::Plan plan;
-    plan.samplers = {"sobol"};
-    plan.samples = settings.foreign_samples;
-    plan.seeds = settings.foreign_seeds;
-    plan.reading_seconds = reading_seconds;
-    return plan;
+convergence::ConvergenceConfig config_of(const Settings& settings, double reading_seconds) {
+    convergence::ConvergenceConfig config;
+    config.samplers = {"sobol"};
+    config.samples = settings.foreign_samples;
+    config.seeds = settings.foreign_seeds;
+    config.reading_seconds = reading_seconds;
+    return config;
 }
 
 /// Measures the curves of a scene; returns why there are none, or nothing.
-std::string measure_own(const LoadResult& loaded, const convergence::Plan& plan,
+std::string measure_own(const LoadResult& loaded, const convergence::ConvergenceConfig& config,
                         const ReferenceImage& reference, const TaskProgress& task_progress,
                         ForeignFigures& figures) {
-    auto curves = measure(*loaded.scene, loaded.settings, reference, plan,
+    auto curves = measure(*loaded.scene, loaded.settings, reference, config,
                           {task_progress.stop, task_progress.progress});
     if (curves.empty()) return "interrupted";
     figures.own = std::move(curves.front());
@@ -94,7 +94,7 @@ std::string compare_scene(const ForeignRequest& request, const Settings& setting
     auto foreign = measure_foreign(request.images, reference, loaded.settings);
     if (!foreign) return foreign.error;
     figures.foreign = std::move(foreign.value);
-    return measure_own(loaded, plan_of(settings, reading_seconds), reference, task_progress,
+    return measure_own(loaded, config_of(settings, reading_seconds), reference, task_progress,
                        figures);
 }
 

@@ -26,14 +26,14 @@ Result<std::vector<frames::FrameFigures>> figures_of(const FrameRequest& request
                                                      const TaskProgress& task_progress) {
     const frames::ScratchFolder folder;
     if (!folder.error().empty()) return {{}, folder.error()};
-    frames::Plan plan;
-    plan.repeats = settings.frame_repeats;
-    plan.width = request.width;
-    plan.samples = request.samples;
-    plan.image = folder.file("frame.exr");
-    plan.stop = &task_progress.stop;
-    plan.deadline = task_progress.deadline;
-    return frames::measure_frame(file_of(request, folder), plan);
+    frames::FrameConfig config;
+    config.repeats = settings.frame_repeats;
+    config.width = request.width;
+    config.samples = request.samples;
+    config.image = folder.file("frame.exr");
+    config.stop = &task_progress.stop;
+    config.deadline = task_progress.deadline;
+    return frames::measure_frame(file_of(request, folder), config);
 }
 
 void measure(const FrameRequest& request, Results& results, const TaskProgress& task_progress) {

@@ -178,7 +178,7 @@ Section speed_section(const Results& results) {
             "Every backend traces the same rays, in turn, {} times; figures are medians, and ± is "
             "the interquartile range. CPU time of pinned threads, which depends little on what "
             "else the machine does.",
-            settings.plan.repeats),
+            settings.speed_config.repeats),
         "Errors are given beside each speed. A quad-precision oracle checks a sample of the rays "
         "and, of those on which the backends do not agree, as many as time allows: “wrong” are "
         "hits where there is nothing, misses where there is something, and other primitives than "

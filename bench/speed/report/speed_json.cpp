@@ -78,11 +78,11 @@ Json json_of(const KindFigures& kind) {
 
 }  // namespace
 
-Json json_of_environment(const Plan& plan) {
+Json json_of_environment(const SpeedConfig& config) {
     Json json = provenance();
     json["baselines"] = {baseline, robust_baseline};
-    json["repeats"] = plan.repeats;
-    json["threads"] = plan.threads;
+    json["repeats"] = config.repeats;
+    json["threads"] = config.threads;
     return json;
 }
 

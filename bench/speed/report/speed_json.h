@@ -4,12 +4,12 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "bench/speed/figures.h"
-#include "bench/speed/plan.h"
+#include "bench/speed/speed_config.h"
 
 namespace etalon::speed {
 
-/// Returns the provenance and the plan of a measurement. The scenes are for the caller to add.
-nlohmann::ordered_json json_of_environment(const Plan& plan);
+/// Returns the provenance and the config of a measurement. The scenes are for the caller to add.
+nlohmann::ordered_json json_of_environment(const SpeedConfig& config);
 
 nlohmann::ordered_json json_of(const SceneFigures& scene);
 

@@ -6,7 +6,7 @@
 namespace etalon::speed {
 
 /// Parameters of a measurement: the tracers, the rays and the number of repeats.
-struct Plan {
+struct SpeedConfig {
     std::vector<std::string> tracers;  ///< including the baselines
     std::vector<int> threads{1};       ///< 1 first; every measurement is made with each
     int repeats = 5;                   ///< alternating; medians are reported
