@@ -40,18 +40,18 @@ std::map<std::string, Resource> LivePage::resources() {
     };
     return {{"", {"text/html; charset=utf-8", [] { return std::string(page_text()); }}},
             {"state.json", {"application/json", [this] { return state(); }}},
-            {"image.png", picture(shown_, [this] { return image_png(); })},
-            {"samples.png", picture(samples_, [this] { return samples_png(); })},
-            {"seconds.png", picture(seconds_, [this] { return seconds_png(); })},
+            {"image.png", png_resource(shown_, [this] { return image_png(); })},
+            {"samples.png", png_resource(samples_, [this] { return samples_png(); })},
+            {"seconds.png", png_resource(seconds_, [this] { return seconds_png(); })},
             {"stop", {"text/plain", stop, "POST"}}};
 }
 
-Resource LivePage::picture(Picture& picture, std::function<std::string()> make) const {
-    return {"image/png", [this, &picture, make = std::move(make)] {
+Resource LivePage::png_resource(CachedPng& cached, std::function<std::string()> make) const {
+    return {"image/png", [this, &cached, make = std::move(make)] {
                 const std::uint64_t version = image_.version();
-                if (picture.png.empty() || picture.version != version) picture.png = make();
-                picture.version = version;
-                return picture.png;
+                if (cached.png.empty() || cached.version != version) cached.png = make();
+                cached.version = version;
+                return cached.png;
             }};
 }
 

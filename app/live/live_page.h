@@ -29,13 +29,13 @@ class LivePage {
 
   private:
     /// A PNG that is encoded again when the image has changed.
-    struct Picture {
+    struct CachedPng {
         std::uint64_t version = 0;
         std::string png;
     };
 
     std::map<std::string, Resource> resources();
-    Resource picture(Picture& picture, std::function<std::string()> make) const;
+    Resource png_resource(CachedPng& cached, std::function<std::string()> make) const;
     std::string image_png() const;
     std::string samples_png() const;
     std::string seconds_png() const;
@@ -46,7 +46,7 @@ class LivePage {
     std::string title_;
     double exposure_;
     std::function<void()> stop_;
-    Picture shown_, samples_, seconds_;
+    CachedPng shown_, samples_, seconds_;
     PageServer server_;  ///< declared last, so that it ends first
 };
 

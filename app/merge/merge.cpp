@@ -103,12 +103,12 @@ std::string line_of(MergedFilms& merged, const RenderedImage& image) {
 }
 
 std::string write(const std::string& path, MergedFilms& merged, const RenderedImage& image) {
-    const Result<std::string> picture = encode_image(path, image);
-    if (!picture) return path + ": cannot be written: " + picture.error;
+    const Result<std::string> encoded = encode_image(path, image);
+    if (!encoded) return path + ": cannot be written: " + encoded.error;
     const std::string line = line_of(merged, image);
     FileReplacement file(path);
     const StateWriter::Sink put = [&](std::string_view bytes) { file.write(bytes); };
-    put(picture.value);
+    put(encoded.value);
     write_appendix(line, put, [&](const StateWriter::Sink& sink) {
         StateWriter writer(sink);
         for (MergedFilm& m : merged.films) m.film->transfer(writer);

@@ -53,7 +53,7 @@ class Measurement {
             for (std::size_t block = begin; block < end; ++block) {
                 const bool is_cut = block > 0 && is_over();
                 if (is_cut) partial_ = true;
-                if (!is_cut) shoot(block);
+                if (!is_cut) measure_block(block);
             }
         });
         return rows();
@@ -67,7 +67,7 @@ class Measurement {
     }
 
     /// Measures one block and adds its results to the total.
-    void shoot(std::uint64_t number) {
+    void measure_block(std::uint64_t number) {
         const std::uint64_t first = number * block_size;
         const std::uint64_t end = std::min(first + block_size, budget_.rays);
         std::vector<Ray> rays;
@@ -77,17 +77,17 @@ class Measurement {
         }
         std::vector<TracerResult> results(tracers_.size());
         if (case_.criterion == hard::Criterion::spawned) {
-            shoot_spawned(RayBlock(std::move(rays)), number, results);
+            measure_spawned(RayBlock(std::move(rays)), number, results);
         } else {
-            shoot_at(RayBlock(std::move(rays)), number, results);
+            measure_aimed(RayBlock(std::move(rays)), number, results);
         }
         const std::lock_guard lock(mutex_);
         for (std::size_t k = 0; k < results.size(); ++k) results_[k] += results[k];
     }
 
-    void shoot_at(const RayBlock& block, std::uint64_t number,
-                  std::vector<TracerResult>& results) const {
-        const auto answers = tracers_.ask(block, number, results);
+    void measure_aimed(const RayBlock& block, std::uint64_t number,
+                       std::vector<TracerResult>& results) const {
+        const auto answers = tracers_.trace(block, number, results);
         const std::vector<OracleReference> references = references_of(block);
         std::optional<ErrorStats> shared;  // shared by all tracers with the same bits
         for (std::size_t k = 0; k < tracers_.size(); ++k) {
@@ -119,8 +119,8 @@ class Measurement {
     }
 
     /// Rays leave the hits of an exact backend, so that they are the same whatever is measured.
-    void shoot_spawned(const RayBlock& block, std::uint64_t number,
-                       std::vector<TracerResult>& results) const {
+    void measure_spawned(const RayBlock& block, std::uint64_t number,
+                         std::vector<TracerResult>& results) const {
         std::vector<Answer> hits(block.rays.size(), missed);
         spawner_->closest(block, hits);
         std::vector<Spawned> spawned;
@@ -133,7 +133,7 @@ class Measurement {
             }
         }
         if (rays.empty()) return;
-        const auto answers = tracers_.ask(RayBlock(std::move(rays)), number, results);
+        const auto answers = tracers_.trace(RayBlock(std::move(rays)), number, results);
         for (std::size_t k = 0; k < tracers_.size(); ++k) {
             for (std::size_t i = 0; i < answers[k].size(); ++i) {
                 ErrorStats& stats = results[k].stats;

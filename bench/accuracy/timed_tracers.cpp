@@ -56,9 +56,9 @@ bool TimedTracers::takes_part(const TracerEntry& entry, std::uint64_t block_numb
 
 /// Alternates between the first and the last tracer as the first to run, so that drift affects
 /// all equally.
-std::vector<std::vector<Answer>> TimedTracers::ask(const RayBlock& block,
-                                                   std::uint64_t block_number,
-                                                   std::vector<TracerResult>& results) const {
+std::vector<std::vector<Answer>> TimedTracers::trace(const RayBlock& block,
+                                                     std::uint64_t block_number,
+                                                     std::vector<TracerResult>& results) const {
     const std::size_t count = entries_.size();
     std::vector<std::vector<Answer>> answers(count);
     for (std::size_t i = 0; i < count; ++i) {

@@ -35,8 +35,8 @@ class TimedTracers {
     /// Returns every tracer's answers to the rays of a block, none from a tracer that no longer
     /// takes part, and adds to `results` its time and the errors that answers show without a
     /// reference: contradictions and deviations.
-    std::vector<std::vector<Answer>> ask(const RayBlock& block, std::uint64_t block_number,
-                                         std::vector<TracerResult>& results) const;
+    std::vector<std::vector<Answer>> trace(const RayBlock& block, std::uint64_t block_number,
+                                           std::vector<TracerResult>& results) const;
 
   private:
     void enter(std::unique_ptr<Tracer> tracer, bool exact, bool refined);

@@ -62,8 +62,8 @@ std::vector<Label> candidates(const Label& label) {
 }
 
 /// Returns the cost of a label's position: the area that it covers, and its distance.
-double badness(const Label& label, const std::vector<Label>& all, std::size_t self,
-               const Rectangle& page, const std::vector<Position>& avoid) {
+double placement_cost(const Label& label, const std::vector<Label>& all, std::size_t self,
+                      const Rectangle& page, const std::vector<Position>& avoid) {
     const Rectangle here = extent(label);
     const double area = (here.right - here.left) * (here.bottom - here.top);
     double covered = 100 * (area - overlap(here, page));
@@ -105,9 +105,9 @@ void place_labels(std::vector<Label>& labels, const Rectangle& page,
     constexpr int rounds = 20;
     for (int round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < labels.size(); ++i) {
-            double least = badness(labels[i], labels, i, page, avoid);
+            double least = placement_cost(labels[i], labels, i, page, avoid);
             for (const Label& c : candidates(labels[i])) {
-                const double bad = badness(c, labels, i, page, avoid);
+                const double bad = placement_cost(c, labels, i, page, avoid);
                 if (bad < least) least = bad, labels[i] = c;
             }
         }

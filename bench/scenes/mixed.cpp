@@ -6,9 +6,9 @@ namespace etalon::bench {
 namespace {
 
 /// Random shapes of about `size` at a random position.
-class Mixer {
+class RandomShapes {
   public:
-    Mixer(Scene& scene, double size) : scene_(scene), size_(size) {}
+    RandomShapes(Scene& scene, double size) : scene_(scene), size_(size) {}
 
     void add(std::size_t number) {
         const Vec3 place = on_grid(random_.in_cube());
@@ -67,8 +67,8 @@ class Mixer {
 
 Scene mixed(std::size_t count) {
     Scene scene = empty_scene({.eye = {1.5, 1.1, 1.9}});
-    Mixer mixer(scene, 1.2 / std::sqrt(static_cast<double>(count)));
-    for (std::size_t i = 0; i < count; ++i) mixer.add(i);
+    RandomShapes shapes(scene, 1.2 / std::sqrt(static_cast<double>(count)));
+    for (std::size_t i = 0; i < count; ++i) shapes.add(i);
     return scene;
 }
 

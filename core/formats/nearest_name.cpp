@@ -65,12 +65,12 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
     for (const std::string_view name : names) {
         if (name.size() > longest) continue;
         const auto [shorter, longer] = std::minmax({word.size(), name.size()});
-        const std::size_t unbearable = std::min({shorter / 3 + 2, shorter, fewest + 1});
-        if (longer - shorter >= unbearable) continue;  // each missing letter is an error
-        if (fewest_errors(letters, letters_of(name)) >= unbearable) continue;
+        const std::size_t too_many = std::min({shorter / 3 + 2, shorter, fewest + 1});
+        if (longer - shorter >= too_many) continue;  // each missing letter is an error
+        if (fewest_errors(letters, letters_of(name)) >= too_many) continue;
         const std::size_t errors = typing_errors(word, name);
         const std::size_t start = common_start(word, name);
-        if (errors < unbearable && (errors < fewest || start > longest_start)) {
+        if (errors < too_many && (errors < fewest || start > longest_start)) {
             nearest = name;
             fewest = errors;
             longest_start = start;

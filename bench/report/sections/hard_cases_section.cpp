@@ -28,7 +28,7 @@ const Row* find(const CaseRows& c, const std::string& name) {
 }
 
 /// Returns the names of the tracers that have a column.
-std::vector<std::string> judged(const std::vector<Row>& rows) {
+std::vector<std::string> shown_tracers(const std::vector<Row>& rows) {
     std::vector<std::string> names;
     const auto add = [&](std::string_view name) {
         const bool takes_part =
@@ -83,7 +83,7 @@ Cell passed(const std::vector<CaseRows>& cases, const std::string& tracer) {
 }
 
 Table by_shape(const std::vector<Row>& rows) {
-    const std::vector<std::string> tracers = judged(rows);
+    const std::vector<std::string> tracers = shown_tracers(rows);
     Table table{columns_for({"shape", "cases", "rays"}, tracers), {}};
     for (const std::string& shape : accuracy::shapes_of(rows)) {
         const std::vector<CaseRows> cases = accuracy::cases_of(rows, shape);
@@ -98,7 +98,7 @@ Table by_shape(const std::vector<Row>& rows) {
 }
 
 Table cases_of_shape(const std::vector<Row>& rows, const std::string& shape) {
-    const std::vector<std::string> tracers = judged(rows);
+    const std::vector<std::string> tracers = shown_tracers(rows);
     const std::vector<CaseRows> cases = accuracy::cases_of(rows, shape);
     Table table{columns_for({"case", "rays"}, tracers), {}};
     for (const CaseRows& c : cases) {
