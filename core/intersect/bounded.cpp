@@ -14,9 +14,8 @@ namespace {
 constexpr std::size_t chunk_size = 4096;
 
 /// Summary of a part of the scene before there is a normalized space.
-struct BoundsSummary {
-    explicit BoundsSummary(double limit_of_reach = FurthestItems::no_limit)
-        : limit(limit_of_reach) {}
+struct ChunkBounds {
+    explicit ChunkBounds(double limit_of_reach = FurthestItems::no_limit) : limit(limit_of_reach) {}
 
     double limit;
     FurthestItems furthest;
@@ -34,7 +33,7 @@ struct BoundsSummary {
         }
     }
 
-    void add(const BoundsSummary& next) {
+    void add(const ChunkBounds& next) {
         world.extendBy(next.world);
         furthest.add(next.furthest);
         bounded += next.bounded;
@@ -44,22 +43,22 @@ struct BoundsSummary {
 
 /// A scene's items, sorted into bounded and unbounded ones.
 struct SortedItems {
-    BoundsSummary all;
+    ChunkBounds all;
     InstanceBounds instances;
     std::vector<std::size_t> offsets;  ///< of each chunk's bounded primitives; last, of instances
 };
 
 SortedItems sort_items(const Geometry& geometry, const Chunks& chunks, double limit,
                        const InstancePadding& padding) {
-    std::vector<BoundsSummary> summaries(chunks.number(), BoundsSummary(limit));
+    std::vector<ChunkBounds> bounds_of_chunks(chunks.number(), ChunkBounds(limit));
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto id = static_cast<std::uint32_t>(i);
-            summaries[chunk].add(whole_bounds(geometry, id), id);
+            bounds_of_chunks[chunk].add(whole_bounds(geometry, id), id);
         }
     });
-    SortedItems sorted{BoundsSummary(limit), {}, {}};
-    for (const BoundsSummary& s : summaries) {
+    SortedItems sorted{ChunkBounds(limit), {}, {}};
+    for (const ChunkBounds& s : bounds_of_chunks) {
         sorted.offsets.push_back(sorted.all.bounded);
         sorted.all.add(s);
     }

@@ -40,10 +40,10 @@ NearPrimitives::NearPrimitives(const Geometry& geometry) {
 }
 
 std::optional<std::span<std::uint32_t>> NearPrimitives::find(const RayPacket& packet,
-                                                             Room& room) const {
+                                                             Numbers& numbers) const {
     const PacketBounds bounds(packet);
     if (!bounds.goes_one_way()) return std::nullopt;
-    const auto found = std::span(room).first(bounds.find_near(boxes_, room.data()));
+    const auto found = std::span(numbers).first(bounds.find_near(boxes_, numbers.data()));
     for (std::uint32_t& number : found) number = primitives_[number];
     return found;
 }

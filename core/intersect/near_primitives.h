@@ -18,17 +18,17 @@ class NearPrimitives {
     /// by each ray.
     static constexpr std::size_t most = 256;
 
-    /// Room for the numbers of all primitives.
-    using Room = std::array<std::uint32_t, most>;
+    /// Numbers of primitives; there is room for all.
+    using Numbers = std::array<std::uint32_t, most>;
 
     NearPrimitives() = default;
 
     /// The geometry has at most `most` primitives.
     explicit NearPrimitives(const Geometry& geometry);
 
-    /// Writes the numbers of the primitives that a ray may hit to `room`. Returns nothing if the
+    /// Writes the numbers of the primitives that a ray may hit to `numbers`. Returns nothing if the
     /// packet has no useful bounds.
-    std::optional<std::span<std::uint32_t>> find(const RayPacket& packet, Room& room) const;
+    std::optional<std::span<std::uint32_t>> find(const RayPacket& packet, Numbers& numbers) const;
 
     /// Returns whether to test all rays against these primitives takes less time than the traversal
     /// of a tree by each ray.

@@ -35,8 +35,8 @@ class PacketIntersector::Closest {
 
     /// Answers for a packet if its rays may hit few primitives; the packet is empty then.
     void answer(RayPacket& packet, std::span<Hit> hits) {
-        NearPrimitives::Room room;
-        const auto near = all_.near_.find(packet, room);
+        NearPrimitives::Numbers numbers;
+        const auto near = all_.near_.find(packet, numbers);
         if (!near || !all_.near_.are_few(*near, packet)) return;
         for (const std::uint32_t primitive : *near) {
             offer_to_packet(all_.geometry_, primitive, packet);
@@ -64,8 +64,8 @@ class PacketIntersector::Occluded {
     /// Removes rays from a packet whose answers are known: all if they may hit few primitives, else
     /// those that the primitives found to occlude some of them occlude. `blocked` is 0 before.
     void answer(RayPacket& packet, std::span<std::uint8_t> blocked) {
-        NearPrimitives::Room room;
-        auto near = all_.near_.find(packet, room);
+        NearPrimitives::Numbers numbers;
+        auto near = all_.near_.find(packet, numbers);
         if (!near) return;
         const bool are_few = all_.near_.are_few(*near, packet);
         const auto last = std::ranges::find(*near, last_occluder_);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/numerics/rounding.h"
-#include "core/oracle/stretch.h"
+#include "core/oracle/line_interval.h"
 
 namespace etalon::definition {
 namespace {
@@ -152,8 +152,8 @@ Crossings define(const Geometry&, const Polygon& polygon, const Ray& ray) {
     }
     const Outline outline(ray.direction, std::move(corners));
     const Certainty inside = is_inside(outline);
-    const auto stretch = within_box(box.min, box.max, ray);
-    if (inside == Certainty::no || !stretch) return found;
+    const auto interval = within_box(box.min, box.max, ray);
+    if (inside == Certainty::no || !interval) return found;
     TrackedVec sum, n;
     const TrackedVec& p0 = outline.corners[0].exact;
     for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
@@ -165,8 +165,8 @@ Crossings define(const Geometry&, const Polygon& polygon, const Ray& ray) {
     const Tracked cosine = dot(n, ray.direction);
     const Tracked passage = dot(n, sum) / (cosine * static_cast<double>(polygon.corners.size()));
     Crossing crossing(passage, inside & !degenerate, is_negative(cosine));
-    if ((passage < stretch->entry) == Certainty::yes) crossing.t = stretch->entry;
-    if ((stretch->exit < passage) == Certainty::yes) crossing.t = stretch->exit;
+    if ((passage < interval->entry) == Certainty::yes) crossing.t = interval->entry;
+    if ((interval->exit < passage) == Certainty::yes) crossing.t = interval->exit;
     if (crossing.exists != Certainty::no) found.add(crossing);
     return found;
 }

@@ -30,21 +30,21 @@ Certainty is_within(const Crossing& c, const Ray& ray, double tie) {
 
 }  // namespace
 
-struct Meeting {
+struct FoundHit {
     Tracked t;
     Certainty exists;
     HitKey key;
 };
 
 /// Crossings so far, with the nearest certain one.
-struct Meetings {
-    void add(const Meeting& m) {
+struct FoundHits {
+    void add(const FoundHit& m) {
         all.push_back(m);
         if (m.exists == Certainty::yes && (!nearest || m.t.value < nearest->t.value)) nearest = m;
     }
 
-    std::vector<Meeting> all;
-    std::optional<Meeting> nearest;
+    std::vector<FoundHit> all;
+    std::optional<FoundHit> nearest;
 };
 
 namespace {
@@ -52,10 +52,10 @@ namespace {
 /// Largest relative error of an answer's t: far below that of any kernel.
 constexpr double finest_error = 0x1p-10 * t_tolerance;
 
-OracleAnswer answer_from(const Meetings& meetings, double tie) {
+OracleAnswer answer_from(const FoundHits& hits, double tie) {
     OracleAnswer answer;
-    const auto& nearest = meetings.nearest;
-    for (const Meeting& m : meetings.all) {
+    const auto& nearest = hits.nearest;
+    for (const FoundHit& m : hits.all) {
         // A root of a shape that may not exist is not as good as the next.
         const bool is_other_root = nearest && m.exists != Certainty::yes && m.key == nearest->key &&
                                    m.t.value < nearest->t.value;
@@ -97,7 +97,7 @@ class WideSlabs {
         }
     }
 
-    /// Returns a t at which the ray has not yet entered the box, if it may meet it.
+    /// Returns a t at which the ray has not yet entered the box, if it may cross it.
     std::optional<double> entry(const Box3& box) const {
         double entry = -infinity, exit = infinity;
         for (int k = 0; k < 3; ++k) {
@@ -148,17 +148,17 @@ std::vector<Oracle::Candidate> Oracle::candidates(const Ray& ray) const {
 
 /// Adds hits on the primitives of an instance, whose object this is, or on all primitives. Holes
 /// are decided by the kernels' function.
-void Oracle::meet(const Ray& ray, double tie, std::uint32_t instance, Meetings& meetings) const {
+void Oracle::add_hits(const Ray& ray, double tie, std::uint32_t instance, FoundHits& hits) const {
     if (!is_valid(ray)) return;
     const RayQuery query(ray);
     for (const Candidate& candidate : candidates(ray)) {
-        if (meetings.nearest && Quad(candidate.entry) > meetings.nearest->t.value) break;
+        if (hits.nearest && Quad(candidate.entry) > hits.nearest->t.value) break;
         const Sides sides = geometry_.primitives[candidate.primitive].sides;
         for (const Crossing& c : crossings(geometry_, candidate.primitive, ray)) {
             const Certainty exists = c.exists & is_visible(c, sides) & is_within(c, ray, tie);
             if (exists == Certainty::no) continue;
             if (sides == Sides::cut_out && meets_hole(geometry_, candidate.primitive, query)) break;
-            meetings.add({c.t, exists, key_of(candidate.primitive, instance)});
+            hits.add({c.t, exists, key_of(candidate.primitive, instance)});
         }
     }
 }
@@ -173,14 +173,14 @@ OracleAnswer Oracle::closest(const Ray& ray, double tie) const {
         answer.t = static_cast<double>(answer.exact_t);
         return answer;
     }
-    Meetings meetings;
-    meet(ray, tie, no_index, meetings);
+    FoundHits hits;
+    add_hits(ray, tie, no_index, hits);
     const Ray meant = RayQuery(ray).ray;
     for (std::uint32_t i = 0; i < geometry_.instances.size(); ++i) {
         const InstanceAt instance(geometry_, i, meant.time());
-        objects_[instance->object].meet(to_object(*instance, meant), tie, i, meetings);
+        objects_[instance->object].add_hits(to_object(*instance, meant), tie, i, hits);
     }
-    return answer_from(meetings, tie);
+    return answer_from(hits, tie);
 }
 
 }  // namespace etalon

@@ -28,7 +28,7 @@ struct OracleAnswer {
     std::vector<HitKey> tied;            ///< primitives (maybe) hit at t, to within `tie`; sorted
 };
 
-struct Meetings;
+struct FoundHits;
 
 class Oracle {
   public:
@@ -45,7 +45,7 @@ class Oracle {
         std::uint32_t primitive;
     };
     std::vector<Candidate> candidates(const Ray& ray) const;
-    void meet(const Ray& ray, double tie, std::uint32_t instance, Meetings& meetings) const;
+    void add_hits(const Ray& ray, double tie, std::uint32_t instance, FoundHits& hits) const;
 
     const Geometry& geometry_;
     std::vector<Oracle> objects_;  ///< oracles of the geometry's objects

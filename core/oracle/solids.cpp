@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/oracle/line_interval.h"
 #include "core/oracle/mapped_ray.h"
 #include "core/oracle/quadratic.h"
-#include "core/oracle/stretch.h"
 
 namespace etalon::definition {
 namespace {
@@ -14,25 +14,25 @@ namespace {
 const Tracked beyond(Quad(0x1p1023) * Quad(0x1p1023), 0);
 
 /// Returns the interval of a line where a t^2 + 2 b t + c <= 0, for a >= 0.
-Stretch where_not_positive(const Tracked& a, const Tracked& b, const Tracked& c) {
-    Stretch stretch{-beyond, beyond, Certainty::yes};
+LineInterval where_not_positive(const Tracked& a, const Tracked& b, const Tracked& c) {
+    LineInterval interval{-beyond, beyond, Certainty::yes};
     if ((is_zero(a) & is_zero(b)) == Certainty::yes) {
-        stretch.exists = !is_positive(c);
-        return stretch;
+        interval.exists = !is_positive(c);
+        return interval;
     }
     const Roots roots = solve(a, b, c);
-    if (roots.count == 0) stretch.exists = Certainty::no;
+    if (roots.count == 0) interval.exists = Certainty::no;
     for (std::size_t i = 0; i < roots.count; ++i) {
         const Root& root = roots.list[i];
-        stretch.exists = stretch.exists & root.exists;
-        if (root.falling != Certainty::no) stretch.entry = root.t;
-        if (root.falling != Certainty::yes) stretch.exit = root.t;
+        interval.exists = interval.exists & root.exists;
+        if (root.falling != Certainty::no) interval.entry = root.t;
+        if (root.falling != Certainty::yes) interval.exit = root.t;
     }
-    return stretch;
+    return interval;
 }
 
 /// Returns the interval of a line where 0 <= start + t rise <= top, for top > 0.
-Stretch where_between(const Tracked& start, const Tracked& rise, const Tracked& top) {
+LineInterval where_between(const Tracked& start, const Tracked& rise, const Tracked& top) {
     if (is_zero(rise) == Certainty::yes) {
         return {-beyond, beyond, (!is_negative(start)) & (start <= top)};
     }
@@ -52,7 +52,7 @@ Tracked greater(const Tracked& a, const Tracked& b) {
     return detail::bounded((low + high) / 2, (high - low) / 2 + rounding);
 }
 
-Stretch both(const Stretch& a, const Stretch& b) {
+LineInterval both(const LineInterval& a, const LineInterval& b) {
     return {greater(a.entry, b.entry), -greater(-a.exit, -b.exit),
             a.exists & b.exists & !(a.exit < b.entry) & !(b.exit < a.entry)};
 }
@@ -72,9 +72,9 @@ Crossings define(const Geometry&, const ClosedCylinder& c, const Ray& ray) {
     if (exists == Certainty::no) return {};
     const TrackedVec &o = r.origin, &d = r.direction;
     const Tracked square = r.unit * r.unit;
-    const Stretch side = where_not_positive(d.x * d.x + d.y * d.y, o.x * d.x + o.y * d.y,
-                                            o.x * o.x + o.y * o.y - square);
-    Stretch solid = both(side, where_between(o.z * r.unit, d.z * r.unit, square));
+    const LineInterval side = where_not_positive(d.x * d.x + d.y * d.y, o.x * d.x + o.y * d.y,
+                                                 o.x * o.x + o.y * o.y - square);
+    LineInterval solid = both(side, where_between(o.z * r.unit, d.z * r.unit, square));
     solid.exists = solid.exists & exists;
     return ends(solid);
 }

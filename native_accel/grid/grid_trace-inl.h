@@ -25,26 +25,26 @@ HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const Normali
     const float tmin = local.tmin(query.ray.tmin);
     const PackedGrid<BoxPack>& boxes = grid.others.boxes();
     if (!boxes.empty()) {
-        const Passage passage(boxes.box(), ray, tmin, tmax);
+        const RayInterval interval(boxes.box(), ray, tmin, tmax);
         const Clusters& clusters = grid.others.clusters();
         const auto ask = [&](ClusterRef ref, std::size_t lane) HWY_ATTR {
             const auto [id, t] = clusters.intersect_lane(grid.geometry, ref, lane, query);
             return offer(t, id);
         };
-        if (!passage.empty()) {
-            const ClusterTest test(clusters, query, local, passage.entry, ask, offer_instances,
+        if (!interval.empty()) {
+            const ClusterTest test(clusters, query, local, interval.entry, ask, offer_instances,
                                    counters);
-            GridVisit(boxes, ray, test, tmax).visit(passage);
+            GridVisit(boxes, ray, test, tmax).visit(interval);
         }
     }
     if (!grid.spheres.empty()) {
-        const Passage passage(grid.spheres.box(), ray, tmin, tmax);
+        const RayInterval interval(grid.spheres.box(), ray, tmin, tmax);
         const auto ask = [&](std::uint32_t id) HWY_ATTR {
             return offer(primitive_first_hit(grid.geometry, id, query), id);
         };
-        if (!passage.empty()) {
+        if (!interval.empty()) {
             const SphereTest test(local, ask, counters);
-            GridVisit(grid.spheres, ray, test, tmax).visit(passage);
+            GridVisit(grid.spheres, ray, test, tmax).visit(interval);
         }
     }
 }

@@ -13,12 +13,12 @@ HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
 /// An interval of a ray, in normalized space; empty if it ends before it begins.
-struct Passage {
-    HWY_INLINE Passage(float from, float to) : entry(from), exit(to) {}
+struct RayInterval {
+    HWY_INLINE RayInterval(float from, float to) : entry(from), exit(to) {}
 
     /// Clips the interval from tmin to tmax, both finite, to a box. The content of a grid lies
     /// further inside its box than the errors of this slab test.
-    HWY_INLINE Passage(Float4 low, Float4 high, const GridRay& ray, float tmin, float tmax) {
+    HWY_INLINE RayInterval(Float4 low, Float4 high, const GridRay& ray, float tmin, float tmax) {
         const Float4 a = (low - ray.origin) * ray.reciprocal;
         const Float4 b = (high - ray.origin) * ray.reciprocal;
         const Float4 never{0, 0, 0, std::numeric_limits<float>::infinity()};
@@ -26,8 +26,8 @@ struct Passage {
         exit = std::min(tmax, min_of_lanes(max(a, b) + never)[0]);
     }
 
-    HWY_INLINE Passage(const Box3f& box, const GridRay& ray, float tmin, float tmax)
-        : Passage(lanes(box.min, 0), lanes(box.max, 0), ray, tmin, tmax) {}
+    HWY_INLINE RayInterval(const Box3f& box, const GridRay& ray, float tmin, float tmax)
+        : RayInterval(lanes(box.min, 0), lanes(box.max, 0), ray, tmin, tmax) {}
 
     HWY_INLINE bool empty() const { return !(entry <= exit); }
 
@@ -45,29 +45,29 @@ class GridVisit {
         : grid_(grid), ray_(ray), test_(test), tmax_(tmax) {}
 
     /// Visits the contents of the grid's box.
-    HWY_INLINE void visit(const Passage& passage) {
+    HWY_INLINE void visit(const RayInterval& interval) {
         const GridCell& root = grid_.root();
         if (root.is_grid()) {
-            traverse(grid_.node(root), passage);
+            traverse(grid_.node(root), interval);
         } else {
-            test(root, passage);
+            test(root, interval);
         }
     }
 
   private:
-    HWY_INLINE void visit(const GridCell& c, const Passage& passage) {
-        if (!c.is_grid()) return test(c, passage);
+    HWY_INLINE void visit(const GridCell& c, const RayInterval& interval) {
+        if (!c.is_grid()) return test(c, interval);
         const GridNode& node = grid_.node(c);
-        const Passage inside(node.low, node.high, ray_, passage.entry, passage.exit);
+        const RayInterval inside(node.low, node.high, ray_, interval.entry, interval.exit);
         if (!inside.empty()) traverse(node, inside);
     }
 
-    HWY_INLINE void test(const GridCell& c, const Passage& passage) {
-        tmax_ = test_(grid_.packs(c), passage.entry, passage.exit, tmax_);
+    HWY_INLINE void test(const GridCell& c, const RayInterval& interval) {
+        tmax_ = test_(grid_.packs(c), interval.entry, interval.exit, tmax_);
     }
 
-    void traverse(const GridNode& node, const Passage& passage) {
-        auto [entry, end] = passage;
+    void traverse(const GridNode& node, const RayInterval& interval) {
+        auto [entry, end] = interval;
         GridTraversal traversal(node, ray_, entry);
         while (entry <= end) {
             test_.counters.cell();

@@ -23,7 +23,7 @@ class ClosedCylinderFastPath {
         if (side.leaves() || side.misses()) return no_hit;
         if (side.is_parallel()) return first_between_caps(side, sides);
         if (!side.is_certain()) return uncertain;
-        const Stretch inside = side.stretch();
+        const LineInterval inside = side.interval();
         const CapSide entry = cap_side(inside.entry), exit = cap_side(inside.exit);
         if (entry == exit && (entry == below || entry == above)) return no_hit;
         if (entry == unknown || (entry != between && exit == unknown)) return uncertain;

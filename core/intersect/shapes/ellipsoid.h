@@ -26,7 +26,7 @@ inline double fast_path(const Ellipsoid& e, Sides sides, const RayQuery& q) {
     if (!line.is_in_range(rows)) return uncertain;
     const UnitLine unit(line.w, line.error_of_w(rows), line.d, line.error_of_d(rows));
     if (unit.leaves() || unit.misses()) return no_hit;
-    return unit.is_certain() ? first_ahead(unit.stretch(), sides, q.ray.tmin) : uncertain;
+    return unit.is_certain() ? first_ahead(unit.interval(), sides, q.ray.tmin) : uncertain;
 }
 
 /// Returns the first visible t. Hit or miss is right for every ray, and t good to t_tolerance. The

@@ -22,12 +22,12 @@ inline double ahead(const Approximate& t, double tmin) {
 }
 
 /// The interval of a line inside a solid.
-struct Stretch {
+struct LineInterval {
     Approximate entry, exit;
 };
 
 /// Returns the first visible end of the interval beyond tmin; no_hit; or uncertain.
-inline double first_ahead(const Stretch& s, Sides sides, double tmin) {
+inline double first_ahead(const LineInterval& s, Sides sides, double tmin) {
     const double entry = sides == Sides::back ? no_hit : ahead(s.entry, tmin);
     return entry <= infinity || sides == Sides::front ? entry : ahead(s.exit, tmin);
 }

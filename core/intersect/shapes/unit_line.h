@@ -42,7 +42,7 @@ class UnitLine {
     bool starts_inside() const { return C_ < 0; }
 
     /// Computes the interval by the sum of like signs, in which nothing cancels.
-    Stretch stretch() const {
+    LineInterval interval() const {
         const double root = std::sqrt(discriminant_), sum = std::abs(B_) + root;
         const double per_sum = 1 / sum, per_A = 1 / A_;
         const double off = (e_B_ + e_discriminant_ / root) * per_sum + 4 * unit_roundoff;

@@ -7,14 +7,14 @@
 namespace etalon::definition {
 
 /// The interval of a line within a closed box, if there may be one.
-struct Stretch {
+struct LineInterval {
     Tracked entry, exit;
     Certainty exists;
 };
 
-std::optional<Stretch> within_box(const Vec3& min, const Vec3& max, const Ray& ray);
+std::optional<LineInterval> within_box(const Vec3& min, const Vec3& max, const Ray& ray);
 
 /// Returns the ends of an interval, as crossings of the solid's surface.
-Crossings ends(const std::optional<Stretch>& stretch);
+Crossings ends(const std::optional<LineInterval>& interval);
 
 }  // namespace etalon::definition

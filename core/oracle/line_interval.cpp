@@ -1,17 +1,17 @@
-#include "core/oracle/stretch.h"
+#include "core/oracle/line_interval.h"
 
 namespace etalon::definition {
 
-std::optional<Stretch> within_box(const Vec3& min, const Vec3& max, const Ray& ray) {
-    // A plane of the box is met at (plane - o) / d; quotients are compared by their products.
-    struct Meeting {
+std::optional<LineInterval> within_box(const Vec3& min, const Vec3& max, const Ray& ray) {
+    // A plane of the box is crossed at (plane - o) / d; quotients are compared by their products.
+    struct PlaneCrossing {
         Tracked distance, speed;
     };
     if (Box3(min, max).isEmpty()) return std::nullopt;
-    const auto is_later = [](const Meeting& a, const Meeting& b) {
+    const auto is_later = [](const PlaneCrossing& a, const PlaneCrossing& b) {
         return is_positive(a.distance * b.speed - b.distance * a.speed);
     };
-    std::array<Meeting, 3> in, out;
+    std::array<PlaneCrossing, 3> in, out;
     std::size_t count = 0;
     for (int k = 0; k < 3; ++k) {
         const double o = ray.origin[k], d = ray.direction[k];
@@ -20,8 +20,8 @@ std::optional<Stretch> within_box(const Vec3& min, const Vec3& max, const Ray& r
             continue;
         }
         const Tracked to_min = Tracked(min[k]) - o, to_max = Tracked(max[k]) - o;
-        in[count] = d > 0 ? Meeting{to_min, d} : Meeting{-to_max, -d};
-        out[count++] = d > 0 ? Meeting{to_max, d} : Meeting{-to_min, -d};
+        in[count] = d > 0 ? PlaneCrossing{to_min, d} : PlaneCrossing{-to_max, -d};
+        out[count++] = d > 0 ? PlaneCrossing{to_max, d} : PlaneCrossing{-to_min, -d};
     }
     std::size_t last_in = 0, first_out = 0;
     Certainty exists = Certainty::yes;
@@ -33,15 +33,15 @@ std::optional<Stretch> within_box(const Vec3& min, const Vec3& max, const Ray& r
         }
     }
     if (exists == Certainty::no) return std::nullopt;
-    return Stretch{in[last_in].distance / in[last_in].speed,
-                   out[first_out].distance / out[first_out].speed, exists};
+    return LineInterval{in[last_in].distance / in[last_in].speed,
+                        out[first_out].distance / out[first_out].speed, exists};
 }
 
-Crossings ends(const std::optional<Stretch>& stretch) {
+Crossings ends(const std::optional<LineInterval>& interval) {
     Crossings found;
-    if (!stretch || stretch->exists == Certainty::no) return found;
-    found.add({stretch->entry, stretch->exists, Certainty::yes});
-    found.add({stretch->exit, stretch->exists, Certainty::no});
+    if (!interval || interval->exists == Certainty::no) return found;
+    found.add({interval->entry, interval->exists, Certainty::yes});
+    found.add({interval->exit, interval->exists, Certainty::no});
     return found;
 }
 
