@@ -53,7 +53,7 @@ class Albedo {
 
     Color at(const Ray& ray, const Hit& hit, const SurfaceInteraction& surface) const {
         if (!physical_) return albedo_of(*surface.material);
-        Room<LobeList> room;
+        LazyStorage<LobeList> room;
         const auto [frame, lobes] = physical_->scattering(physical_surface(scene_, ray, hit), room);
         const Color albedo = BsdfFrom(frame, lobes, -normalized(ray.direction)).albedo();
         const auto share = [](float x) { return std::clamp(x, 0.0F, 1.0F); };

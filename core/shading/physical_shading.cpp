@@ -48,7 +48,7 @@ PhysicalShading::Traits PhysicalShading::traits_of(const PhysicalMaterial& mater
 }
 
 const Subsurface* PhysicalShading::textured_subsurface(const PhysicalSurface& at,
-                                                       Room<Subsurface>& room) const {
+                                                       LazyStorage<Subsurface>& room) const {
     const MaterialPoint point = material_point(at);
     const std::optional<Subsurface> found =
         subsurface_at(scene_.physical().materials[material_below(at)], tables_,
@@ -76,7 +76,7 @@ MaterialPoint PhysicalShading::material_point(const PhysicalSurface& at) const {
 }
 
 PhysicalShading::Scattering PhysicalShading::scattering(const PhysicalSurface& at,
-                                                        Room<LobeList>& room) const {
+                                                        LazyStorage<LobeList>& room) const {
     const Traits& traits = traits_[at.binding->material];
     if (!traits.needs_coordinates) return {{at.ng, at.ns}, *traits.lobes};
     const std::vector<PhysicalMaterial>& all = scene_.physical().materials;

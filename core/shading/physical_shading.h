@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/room.h"
+#include "core/base/lazy_storage.h"
 #include "core/material/material.h"
 #include "core/material/subsurface.h"
 #include "core/shading/physical_surface.h"
@@ -31,11 +31,11 @@ class PhysicalShading {
     };
     /// Returns the BSDF at a point. Lobes that differ from point to point are stored in `room`,
     /// which must outlive the result.
-    Scattering scattering(const PhysicalSurface& at, Room<LobeList>& room) const;
+    Scattering scattering(const PhysicalSurface& at, LazyStorage<LobeList>& room) const;
 
     /// Returns the subsurface scattering at a point, or null if the material has none. `room` is as
     /// above.
-    const Subsurface* subsurface(const PhysicalSurface& at, Room<Subsurface>& room) const {
+    const Subsurface* subsurface(const PhysicalSurface& at, LazyStorage<Subsurface>& room) const {
         const Traits& traits = traits_[at.binding->material];
         if (!traits.may_scatter_below) return nullptr;
         return traits.subsurface ? &*traits.subsurface : textured_subsurface(at, room);
@@ -62,7 +62,8 @@ class PhysicalShading {
     };
     Traits traits_of(const PhysicalMaterial& material) const;
     MaterialPoint material_point(const PhysicalSurface& at) const;
-    const Subsurface* textured_subsurface(const PhysicalSurface& at, Room<Subsurface>& room) const;
+    const Subsurface* textured_subsurface(const PhysicalSurface& at,
+                                          LazyStorage<Subsurface>& room) const;
 
     const Scene& scene_;
     TextureValues textures_;

@@ -135,8 +135,8 @@ void PathBatch<in_media>::shade(std::size_t ray, const VertexNumbers& numbers) {
         return;
     }
     if (!may_scatter(ray)) return;
-    Room<LobeList> room;
-    Room<Subsurface> room_below;
+    LazyStorage<LobeList> room;
+    LazyStorage<Subsurface> room_below;
     const auto [frame, lobes] = shared_.shading.scattering(surface, room);
     SurfaceVertex at{
         {numbers, lobes.has_smooth() ? ways_of(path) : 1},

@@ -8,14 +8,14 @@ namespace etalon {
 /// Memory for an object that is made in it if it is needed. Unlike an empty std::optional, of which
 /// GCC clears all bytes, it is not initialized.
 template <class T>
-class Room {
+class LazyStorage {
     static_assert(std::is_trivially_destructible_v<T>);
 
   public:
-    Room() {}
-    Room(const Room&) = delete;
-    Room& operator=(const Room&) = delete;
-    ~Room() = default;
+    LazyStorage() {}
+    LazyStorage(const LazyStorage&) = delete;
+    LazyStorage& operator=(const LazyStorage&) = delete;
+    ~LazyStorage() = default;
 
     /// Makes the object, which is the result of make(), in place.
     template <class Make>
