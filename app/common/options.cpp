@@ -181,13 +181,13 @@ Option& Option::within_range(T least, T most) {
     return explain(fmt::format("{} to {}", least, most)).narrow(range_check(least, most));
 }
 
-Option& Option::narrow(std::function<std::string(const std::string&)> find_fault) {
+Option& Option::narrow(std::function<std::string(const std::string&)> find_error) {
     option_->get_validator(any_number)->active(false);
-    return check(std::move(find_fault));
+    return check(std::move(find_error));
 }
 
-Option& Option::check(std::function<std::string(const std::string&)> find_fault) {
-    option_->check(std::move(find_fault));
+Option& Option::check(std::function<std::string(const std::string&)> find_error) {
+    option_->check(std::move(find_error));
     return *this;
 }
 

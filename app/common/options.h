@@ -45,9 +45,9 @@ class Option {
     Option& within(double least, double most);
     Option& positive();
     Option& not_negative();
-    /// Checks a text by `find_fault`, which returns an empty string for a valid text, else the
+    /// Checks a text by `find_error`, which returns an empty string for a valid text, else the
     /// error, beginning with the text: "magic: expected one of ...".
-    Option& check(std::function<std::string(const std::string&)> find_fault);
+    Option& check(std::function<std::string(const std::string&)> find_error);
 
   private:
     /// Adds a sentence to the help: the allowed values.
@@ -55,7 +55,7 @@ class Option {
     template <class T>
     Option& within_range(T least, T most);
     /// Checks a number only by this.
-    Option& narrow(std::function<std::string(const std::string&)> find_fault);
+    Option& narrow(std::function<std::string(const std::string&)> find_error);
 
     CLI::Option* option_;
     ValueChoices* choices_;

@@ -18,18 +18,18 @@ void TileWorker::run(const TileTask& task, const nlohmann::ordered_json& identit
 /// Goes on after a failure, which rank 0 answers by ending the work.
 void TileWorker::render_tiles(const TileTask& task) {
     while (const std::optional<Tile> tile = next()) {
-        std::string result, fault;
+        std::string result, error;
         try {
             result = render(*tile, task);
-            fault = find_fault_();
+            error = find_error_();
         } catch (const std::exception& e) {
-            fault = e.what();
+            error = e.what();
         }
         const std::lock_guard lock(mutex_);
-        if (fault.empty()) {
+        if (error.empty()) {
             results_.emplace_back(tile->first, std::move(result));
         } else {
-            fail(fault);
+            fail(error);
         }
     }
 }

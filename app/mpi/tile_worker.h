@@ -18,10 +18,10 @@ namespace etalon {
 /// Renders the tiles that rank 0 deals to this rank.
 class TileWorker {
   public:
-    /// `find_fault` returns why the tiles rendered so far cannot be used, or an empty string; it is
+    /// `find_error` returns why the tiles rendered so far cannot be used, or an empty string; it is
     /// called by several threads.
-    TileWorker(Ranks& ranks, std::function<std::string()> find_fault)
-        : ranks_(ranks), find_fault_(std::move(find_fault)) {}
+    TileWorker(Ranks& ranks, std::function<std::string()> find_error)
+        : ranks_(ranks), find_error_(std::move(find_error)) {}
 
     /// Renders tiles of the image of this identity, on all threads, until rank 0 ends the work.
     void run(const TileTask& task, const nlohmann::ordered_json& identity);
@@ -39,7 +39,7 @@ class TileWorker {
     void fail(const std::string& why);
 
     Ranks& ranks_;
-    std::function<std::string()> find_fault_;
+    std::function<std::string()> find_error_;
     std::mutex mutex_;  ///< protects all below
     std::condition_variable is_changed_;
     std::deque<Tile> tasks_, results_;

@@ -5,7 +5,7 @@
 
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
-#include "app/render/complain.h"
+#include "app/render/fail_with.h"
 #include "core/image/atomic_file.h"
 #include "core/image/io.h"
 
@@ -34,18 +34,18 @@ int check_image_files(const RenderArguments& a) {
         error = check_image_to_standard_output();
         status = exit_usage;
     }
-    return error.empty() ? exit_done : (complain(error), status);
+    return error.empty() ? exit_done : (fail_with(error), status);
 }
 
 bool write_image_file(const RenderArguments& a, const std::string& path, const RenderedImage& image,
                       const KeptState& kept) {
     const std::string name = path == "-" ? "standard output" : path;
     auto file = encode_image(format_name(a, path), image, a.exposure);
-    if (!file) return complain(name + ": cannot be written: " + file.error);
+    if (!file) return fail_with(name + ": cannot be written: " + file.error);
     if (can_hold_channels(format_name(a, path))) file.value += kept.appendix(image);
     if (path == "-") return write_result(file.value);  // a failure is reported at the end
     const std::string error = write_file_atomically(path, file.value);
-    return error.empty() || complain(error);
+    return error.empty() || fail_with(error);
 }
 
 }  // namespace etalon

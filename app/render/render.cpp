@@ -3,7 +3,7 @@
 #include "app/common/started_rank.h"
 #include "app/mpi/ranks.h"
 #include "app/mpi/tile_message.h"
-#include "app/render/complain.h"
+#include "app/render/fail_with.h"
 #include "app/render/render_run.h"
 #include "app/subcommands.h"
 
@@ -33,7 +33,7 @@ int run_other_rank(const RenderArguments& arguments, Ranks& ranks) {
     try {
         status = RenderRun(arguments, ranks).work();
     } catch (const std::exception& e) {
-        complain(e.what());
+        fail_with(e.what());
     }
     if (status != exit_done) {
         ranks.send(0, message_of(MessageKind::failure, held_messages()));
@@ -45,7 +45,7 @@ int run_other_rank(const RenderArguments& arguments, Ranks& ranks) {
 int run_render(const RenderArguments& arguments) {
     Ranks ranks;
     if (const std::string error = ranks.join(); !error.empty()) {
-        if (started_rank().rank == 0) complain(error);
+        if (started_rank().rank == 0) fail_with(error);
         return exit_unusable;
     }
     return ranks.rank() == 0 ? run_first_rank(arguments, ranks) : run_other_rank(arguments, ranks);

@@ -13,7 +13,7 @@
 #include "app/compare/metrics_report.h"
 #include "app/mpi/tile_worker.h"
 #include "app/render/aovs.h"
-#include "app/render/complain.h"
+#include "app/render/fail_with.h"
 #include "app/render/image_files.h"
 #include "app/render/memory.h"
 #include "app/render/output_image.h"
@@ -45,17 +45,17 @@ int RenderRun::work() {
     signals_.emplace();  // the copy of the scene is removed
     limit_threads(a_.threads);
     if (const std::string error = source_.receive(); !error.empty()) {
-        return complain(error), exit_unusable;
+        return fail_with(error), exit_unusable;
     }
     if (source_.is_over()) return exit_done;
     int status = prepare();
     if (status == exit_done && !build()) status = exit_unusable;
     if (status != exit_done) return status;
     render_dealt_tiles(scene_.camera, *integrator_, settings_, [&](const TileTask& task) {
-        const auto find_fault = [&] {
+        const auto find_error = [&] {
             return intolerable_problem(a_.scene, integrator_->late_problems());
         };
-        TileWorker(ranks_, find_fault).run(task, kept_.identity());
+        TileWorker(ranks_, find_error).run(task, kept_.identity());
     });
     return exit_done;
 }
@@ -68,7 +68,7 @@ int RenderRun::render_and_write() {
     source_.send(kept_.scene_files());
     const Rendering rendering = render_image();
     if (kept_.failed()) {
-        return complain(a_.checkpoint + ": the checkpoint does not fit the image"), exit_unusable;
+        return fail_with(a_.checkpoint + ": the checkpoint does not fit the image"), exit_unusable;
     }
     if (!report_ranks()) return exit_unusable;
     warn_of_dropped_samples(rendering);
@@ -90,10 +90,10 @@ int RenderRun::prepare() {
     prepare_scene(a_.integrator, scene_, settings_);
     stats_.parse = watch_.lap();
     const std::string error = apply_overrides(a_, scene_, settings_);
-    if (!error.empty()) return complain(error), exit_usage;
+    if (!error.empty()) return fail_with(error), exit_usage;
     if (a_.outputs.empty()) a_.outputs = {default_output(a_.scene.path)};
     if (const std::string missing = check_memory(settings_); !missing.empty()) {
-        return complain(missing), exit_unusable;
+        return fail_with(missing), exit_unusable;
     }
     return exit_done;
 }
@@ -109,24 +109,24 @@ bool RenderRun::report_ranks() const {
             SignalGuard::signal(), resumable);
     }
     const std::string error = dealer_->error();
-    return error.empty() || complain(error + resumable);
+    return error.empty() || fail_with(error + resumable);
 }
 
 bool RenderRun::open_reference() {
     if (a_.reference.empty()) return true;
     const std::string error = reference_.emplace().open(a_.reference, settings_);
     watch_.lap();  // excludes building
-    return error.empty() || complain(error);
+    return error.empty() || fail_with(error);
 }
 
 bool RenderRun::open_views() {
     const std::string error = views_.open_page(settings_);
-    return error.empty() || complain(error);
+    return error.empty() || fail_with(error);
 }
 
 bool RenderRun::open_kept() {
     const std::string error = kept_.open();
-    return error.empty() || complain(error);
+    return error.empty() || fail_with(error);
 }
 
 void RenderRun::warn_of_dropped_samples(const Rendering& rendering) const {

@@ -70,8 +70,8 @@ bool write_results(const FramesArguments& a, const std::vector<frames::FrameFigu
 
 int measure_frames(FramesArguments a) {
     for (const std::string& scene : a.scenes) {
-        const std::string complaint = bench::complaint_about(scene);
-        if (!complaint.empty()) return fail(exit_unusable, complaint);
+        const std::string error = bench::check_scene_name(scene);
+        if (!error.empty()) return fail(exit_unusable, error);
     }
     const auto [clash, status] = check_outputs({a.json}, a.scenes);
     if (!clash.empty()) return fail(status, clash);

@@ -151,8 +151,8 @@ std::string add_frames(const std::vector<std::string>& paths, Settings& settings
         const std::vector<std::string> files = files_at(path);
         if (files.empty()) return fmt::format("{}: holds no scene files", path);
         for (const std::string& file : files) {
-            const std::string complaint = bench::complaint_about(file);
-            if (!complaint.empty()) return complaint;
+            const std::string error = bench::check_scene_name(file);
+            if (!error.empty()) return error;
             settings.frames.push_back({FrameOrigin::given, file, 0, width, 0});
             extend_limit(seconds_for(settings.frames.back(), settings), settings);
         }

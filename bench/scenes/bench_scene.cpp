@@ -59,7 +59,7 @@ NamedScene from_file(const std::string& path) {
 
 }  // namespace
 
-std::string complaint_about(const std::string& name) {
+std::string check_scene_name(const std::string& name) {
     const Request request(name);
     if (request.family != nullptr) {
         if (request.has_size()) return "";
@@ -72,8 +72,8 @@ std::string complaint_about(const std::string& name) {
 }
 
 NamedScene bench_scene(const std::string& name) {
-    const std::string complaint = complaint_about(name);
-    if (!complaint.empty()) return {std::nullopt, {}, "error: " + complaint + "\n"};
+    const std::string error = check_scene_name(name);
+    if (!error.empty()) return {std::nullopt, {}, "error: " + error + "\n"};
     const Request request(name);
     if (request.family == nullptr) return from_file(name);
     RenderSettings settings;

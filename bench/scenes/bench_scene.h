@@ -11,7 +11,7 @@ namespace etalon::bench {
 
 /// Returns an error message for a scene's name; empty if it is "FAMILY" or "FAMILY:SIZE" with a
 /// family of bench/scenes/bench_families.h, or the path of a file.
-std::string complaint_about(const std::string& name);
+std::string check_scene_name(const std::string& name);
 
 struct NamedScene {
     std::optional<Scene> scene;  ///< nothing if there is no such scene

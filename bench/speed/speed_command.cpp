@@ -116,13 +116,13 @@ SceneFigures measure(const SpeedArguments& a, const std::string& name, Scene sce
 
 /// Checks all names before anything is measured, so that an error in the last one costs no time.
 int check_arguments(const SpeedArguments& a) {
-    std::string complaints;
+    std::string messages;
     for (const std::string& name : a.scenes) {
-        const std::string complaint = bench::complaint_about(name);
-        if (!complaint.empty()) complaints += "etalon-bench: error: " + complaint + "\n";
+        const std::string error = bench::check_scene_name(name);
+        if (!error.empty()) messages += "etalon-bench: error: " + error + "\n";
     }
-    write_message(complaints);
-    if (!complaints.empty()) return exit_unusable;
+    write_message(messages);
+    if (!messages.empty()) return exit_unusable;
     const auto [error, status] = check_outputs({a.json}, a.scenes);
     if (error.empty()) return exit_done;
     print_message("etalon-bench: error: {}\n", error);

@@ -49,77 +49,77 @@ FormatProbe::FormatProbe(std::string_view whole) : text(whole.substr(0, bytes_re
     }
 }
 
-bool is_p3f(const FormatProbe& o) {
-    return shows(o, {{"bclr"},
-                     {"mat", 11},
-                     {"f", 11},
-                     {"punctual"},
-                     {"accel"},
-                     {"spp"},
-                     {"camera", 0},
-                     {"aperture", 1},
-                     {"focal", 1},
-                     {"npl", 4},
-                     {"env", 0}});
+bool is_p3f(const FormatProbe& probe) {
+    return shows(probe, {{"bclr"},
+                         {"mat", 11},
+                         {"f", 11},
+                         {"punctual"},
+                         {"accel"},
+                         {"spp"},
+                         {"camera", 0},
+                         {"aperture", 1},
+                         {"focal", 1},
+                         {"npl", 4},
+                         {"env", 0}});
 }
 
-bool is_nff(const FormatProbe& o) {
-    return shows(o, {{"b", 3}, {"f", 8}, {"l", 3}});
+bool is_nff(const FormatProbe& probe) {
+    return shows(probe, {{"b", 3}, {"f", 8}, {"l", 3}});
 }
 
-bool is_prt(const FormatProbe& o) {
-    return shows(o, {{"surface", 19},
-                     {"background"},
-                     {"light", 3},
-                     {"polygon", 1},
-                     {"instance"},
-                     {"quadric", 3},
-                     {"hsphere"}});
+bool is_prt(const FormatProbe& probe) {
+    return shows(probe, {{"surface", 19},
+                         {"background"},
+                         {"light", 3},
+                         {"polygon", 1},
+                         {"instance"},
+                         {"quadric", 3},
+                         {"hsphere"}});
 }
 
-bool is_sce(const FormatProbe& o) {
-    return shows(o, {{"sce1.0"},
-                     {"eyepos", 3},
-                     {"eyedir", 3},
-                     {"fovy_deg", 1},
-                     {"nx", 1},
-                     {"ny", 1},
-                     {"max_recursion", 1},
-                     {"aasample", 1},
-                     {"ca", 3},
-                     {"cr", 3},
-                     {"cp", 3},
-                     {"ball", 4},
-                     {"cylinder", 0},
-                     {"triangle", 9},
-                     {"object_flat", 0},
-                     {"object_phong", 0},
-                     {"pointlight", 6},
-                     {"arealight", 4}});
+bool is_sce(const FormatProbe& probe) {
+    return shows(probe, {{"sce1.0"},
+                         {"eyepos", 3},
+                         {"eyedir", 3},
+                         {"fovy_deg", 1},
+                         {"nx", 1},
+                         {"ny", 1},
+                         {"max_recursion", 1},
+                         {"aasample", 1},
+                         {"ca", 3},
+                         {"cr", 3},
+                         {"cp", 3},
+                         {"ball", 4},
+                         {"cylinder", 0},
+                         {"triangle", 9},
+                         {"object_flat", 0},
+                         {"object_phong", 0},
+                         {"pointlight", 6},
+                         {"arealight", 4}});
 }
 
 /// Matches words that have no meaning in version 3. `"spectrum"` textures and `"point3"` parameters
 /// are more frequent in version 4, but legal in version 3.
-bool is_pbrt_v4(const FormatProbe& o) {
-    return is_pbrt(o) &&
-           (shows(o, {{"ColorSpace"}, {"Option"}, {"Attribute"}}) ||
-            shows_in_turn(o, "Film", "\"rgb\"") || shows_in_turn(o, "Sampler", "\"zsobol\""));
+bool is_pbrt_v4(const FormatProbe& probe) {
+    return is_pbrt(probe) && (shows(probe, {{"ColorSpace"}, {"Option"}, {"Attribute"}}) ||
+                              shows_in_turn(probe, "Film", "\"rgb\"") ||
+                              shows_in_turn(probe, "Sampler", "\"zsobol\""));
 }
 
-bool is_pbrt(const FormatProbe& o) {
-    return std::ranges::any_of(o.statements, pbrt::is_directive, &Statement::word);
+bool is_pbrt(const FormatProbe& probe) {
+    return std::ranges::any_of(probe.statements, pbrt::is_directive, &Statement::word);
 }
 
-bool is_obj(const FormatProbe& o) {
-    return shows(o, {{"v", 3}, {"v", 4}, {"v", 6}, {"vn", 3}, {"vt", 2}, {"mtllib"}});
+bool is_obj(const FormatProbe& probe) {
+    return shows(probe, {{"v", 3}, {"v", 4}, {"v", 6}, {"vn", 3}, {"vt", 2}, {"mtllib"}});
 }
 
 /// Returns whether more than one byte in fifty does not occur in text.
-bool is_binary(const FormatProbe& o) {
-    const auto strange = std::ranges::count_if(o.text, [](char c) {
+bool is_binary(const FormatProbe& probe) {
+    const auto strange = std::ranges::count_if(probe.text, [](char c) {
         return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ') || c == '\x7F';
     });
-    return static_cast<std::size_t>(strange) * 50 > o.text.size();
+    return static_cast<std::size_t>(strange) * 50 > probe.text.size();
 }
 
 }  // namespace etalon

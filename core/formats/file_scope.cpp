@@ -14,7 +14,7 @@ FileScope::FileScope(const std::string& root) : root_(root) {
     if (!root.empty()) real_root_ = std::filesystem::canonical(root, not_found);
 }
 
-std::string FileScope::objection(const std::filesystem::path& file) const {
+std::string FileScope::check(const std::filesystem::path& file) const {
     if (root_.empty() || holds(file)) return {};
     return fmt::format("{} lies outside of {}, where alone files may be opened",
                        in_quotes(file.native()), in_quotes(root_));

@@ -13,7 +13,7 @@ class FileScope {
 
     /// Returns why a file may not be opened: "'x' lies outside of 'DIR', ..."; empty if it may. The
     /// result is the same whether or not the file exists.
-    std::string objection(const std::filesystem::path& file) const;
+    std::string check(const std::filesystem::path& file) const;
 
   private:
     bool holds(const std::filesystem::path& file) const;

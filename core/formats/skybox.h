@@ -13,7 +13,7 @@ namespace etalon {
 struct SkyboxFiles {
     Skybox skybox;
     std::vector<std::string> missing;  ///< names of faces without a file
-    std::string objection;             ///< why a file may not be opened; empty if all may
+    std::string error;                 ///< why a file may not be opened; empty if all may
 };
 
 /// Searches for right, left, top, bottom, front and back (.jpg, .png, .exr or .hdr) in `directory`,

@@ -188,16 +188,16 @@ TEST_CASE("All of flat is in one plane, and mixed has every bounded shape in equ
 }
 
 TEST_CASE("An unknown name or a size out of range is told with what was expected") {
-    CHECK_THAT(complaint_about("soap"),
+    CHECK_THAT(check_scene_name("soap"),
                ContainsSubstring("soap: no such scene") && ContainsSubstring("stadium[:N]"));
     for (const char* wrong : {"soup:", "soup:0", "soup:many", "soup:12x", "soup:-3", "soup:1e5",
                               "soup:200000000", "soup:99999999999999999999", "sphereflake:9"}) {
         INFO(wrong);
-        CHECK_THAT(complaint_about(wrong), ContainsSubstring("expected a"));
+        CHECK_THAT(check_scene_name(wrong), ContainsSubstring("expected a"));
         CHECK_FALSE(bench_scene(wrong).scene);
     }
-    CHECK(complaint_about("terrain") == "");
-    CHECK(complaint_about(ETALON_SOURCE_DIR "/scenes/showcase.p3f") == "");
+    CHECK(check_scene_name("terrain") == "");
+    CHECK(check_scene_name(ETALON_SOURCE_DIR "/scenes/showcase.p3f") == "");
 }
 
 TEST_CASE("A scene without instances is hit where the one with them is, at all but the same t") {

@@ -45,8 +45,8 @@ void read_environment(Loader& loader) {
     const std::string_view name = in.word("directory");
     if (!in.ok()) return;
     SkyboxFiles found = find_skybox(name, {loader.directory, ""}, FileScope(loader.options.root));
-    if (!found.missing.empty() && !found.objection.empty()) {
-        return in.error("skybox", "{}", found.objection);
+    if (!found.missing.empty() && !found.error.empty()) {
+        return in.error("skybox", "{}", found.error);
     }
     if (!found.missing.empty()) {
         in.warn_at(offset, "skybox", "no skybox in {}: nothing found for {}, as {}",

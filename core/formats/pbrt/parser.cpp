@@ -59,16 +59,16 @@ std::optional<Plugin> Parser::make_plugin(const PluginType& type, ParameterList&
 }
 
 bool Parser::check(const Plugin& plugin) {
-    const auto objection =
+    const auto incompatibility =
         plugin.type->check ? plugin.type->check(plugin.parameters) : std::nullopt;
-    if (!objection) return true;
-    if (objection->leaves_out) {
+    if (!incompatibility) return true;
+    if (incompatibility->leaves_out) {
         log.error(plugin.where, "unfit", "the {} '{}' is left out: {}",
-                  to_string(plugin.type->category), plugin.type->name, objection->text);
+                  to_string(plugin.type->category), plugin.type->name, incompatibility->text);
     } else {
-        log.warn(plugin.where, "unfit", "{}", objection->text);
+        log.warn(plugin.where, "unfit", "{}", incompatibility->text);
     }
-    return !objection->leaves_out;
+    return !incompatibility->leaves_out;
 }
 
 TransformPair Parser::transform_pair() {

@@ -84,8 +84,8 @@ inline constexpr std::size_t category_count = 13;
 
 class Parameters;
 
-/// Objection of pbrt-v3 to parameters that are incompatible.
-struct Objection {
+/// Parameters that pbrt-v3 does not accept together.
+struct Incompatibility {
     std::string text;
     bool leaves_out;  ///< whether the plugin is left out, or only a parameter ignored
 };
@@ -97,7 +97,8 @@ struct PluginType {
     std::string_view alias{};     ///< another name, or empty
     std::string_view stand_in{};  ///< what Etalon renders instead; empty: the plugin itself
 
-    std::optional<Objection> (*check)(const Parameters&) = nullptr;  ///< null: no objection
+    std::optional<Incompatibility> (*check)(const Parameters&) =
+        nullptr;  ///< null: all are compatible
 
     /// Returns the specification of a parameter by its own name; null if there is none.
     const ParameterSpec* find(std::string_view parameter) const;

@@ -50,13 +50,13 @@ FileLoc TokenStream::loc() {
 std::optional<std::string> TokenStream::resolve(const std::string& name, FileLoc where) const {
     if (name.empty()) return name;
     std::string path = (directory_ / name).lexically_normal().string();
-    const std::string objection = scope_.objection(path);
-    if (objection.empty()) return path;
-    log_.fatal(where, "root", "{}", objection);
+    const std::string error = scope_.check(path);
+    if (error.empty()) return path;
+    log_.fatal(where, "root", "{}", error);
     return std::nullopt;
 }
 
-std::string TokenStream::refusal(const std::string& path) const {
+std::string TokenStream::check_readable(const std::string& path) const {
     if (std::ranges::find(sources_, path, &Source::path) != sources_.end()) {
         return "it would include itself without end";
     }
@@ -76,7 +76,7 @@ void TokenStream::include(const std::string& name, FileLoc where) {
     if (!resolved) return;
     const std::string& path = *resolved;
     ++included_files_;
-    if (const std::string why = refusal(path); !why.empty()) {
+    if (const std::string why = check_readable(path); !why.empty()) {
         log_.error(where, "include", "{} is not included: {}", in_quotes(path), why);
         return;
     }

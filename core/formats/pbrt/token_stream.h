@@ -70,7 +70,7 @@ class TokenStream {
     };
 
     /// Returns why the file must not be read; empty if it may.
-    std::string refusal(const std::string& path) const;
+    std::string check_readable(const std::string& path) const;
     std::uint32_t number_of(const std::string& path);
     void enter(const std::string& path, std::unique_ptr<MappedFile> file, std::string_view text);
 

@@ -30,8 +30,8 @@ const ObjMesh* find_mesh(Loader& loader, Reader& in) {
     const std::size_t offset = in.tokens().offset();
     const std::string_view name = in.word("file");
     const std::string path = (loader.directory / name).string();
-    if (const std::string objection = loader.scope.objection(path); !objection.empty()) {
-        loader.log.error(offset, "root", "{}", objection);
+    if (const std::string error = loader.scope.check(path); !error.empty()) {
+        loader.log.error(offset, "root", "{}", error);
         return nullptr;
     }
     auto place = loader.meshes.find(path);

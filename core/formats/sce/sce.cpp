@@ -77,7 +77,7 @@ bool has_right_values(Reader& in, std::size_t expected) {
     return false;
 }
 
-void complain(Reader& in) {
+void report_unknown(Reader& in) {
     const std::string_view word = in.keyword();
     if (std::ranges::find(private_commands, word) != private_commands.end()) {
         in.warn("extension", "'{}' is a private extension of one program; it is left out", word);
@@ -89,7 +89,7 @@ void complain(Reader& in) {
 void read_command(Loader& loader, Reader& in) {
     const auto command = std::ranges::find(commands, in.keyword(), &Command::name);
     if (command == commands.end()) {
-        complain(in);
+        report_unknown(in);
     } else if (has_right_values(in, command->values)) {
         command->read(loader, in);
     }

@@ -47,7 +47,7 @@ class Bytes {
 };
 
 /// Returns why a file with this header cannot be used; empty if it can.
-std::string objection(const Header& h, std::size_t bytes_after) {
+std::string check_header(const Header& h, std::size_t bytes_after) {
     if (h.flags != is_bsdf)
         return fmt::format("has the flags {}: expected 1, a plain BSDF", h.flags);
     if (h.channels != 1 && h.channels != 3) {
@@ -69,7 +69,7 @@ std::string objection(const Header& h, std::size_t bytes_after) {
 }
 
 /// The same for the contents of the file.
-std::string objection(const FourierTable& table) {
+std::string check_table(const FourierTable& table) {
     const auto is_finite = [](float x) { return std::isfinite(x); };
     for (const auto* numbers : {&table.cosines, &table.sums, &table.coefficients}) {
         if (!std::ranges::all_of(*numbers, is_finite)) return "has a number that is not finite";
@@ -97,7 +97,7 @@ Result<FourierTable> parse_bsdf_file(std::string_view text) {
     Bytes bytes(text.substr(magic.size()));
     if (bytes.size() < sizeof(Header)) return {{}, "ends within its header"};
     const Header header = bytes.take<Header>(1)[0];
-    if (std::string why = objection(header, bytes.size()); !why.empty()) return {{}, why};
+    if (std::string why = check_header(header, bytes.size()); !why.empty()) return {{}, why};
     const auto n = static_cast<std::size_t>(header.cosines);
     FourierTable table;
     table.eta = header.eta;
@@ -106,7 +106,7 @@ Result<FourierTable> parse_bsdf_file(std::string_view text) {
     table.sums = bytes.take<float>(n * n);
     table.series = bytes.take<FourierTable::Series>(n * n);
     table.coefficients = bytes.take<float>(static_cast<std::size_t>(header.coefficients));
-    return {table, objection(table)};
+    return {table, check_table(table)};
 }
 
 const BsdfFiles::Table& BsdfFiles::read(const std::string& path) {

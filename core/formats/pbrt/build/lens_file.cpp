@@ -15,7 +15,7 @@ constexpr std::size_t most_surfaces = 1000;
 constexpr double millimetre = 1e-3;
 
 /// Returns why there is no such lens; empty if there is.
-std::string objection(const LensSurface& s) {
+std::string check_surface(const LensSurface& s) {
     for (const double x : {s.curvature_radius, s.thickness, s.eta, s.aperture_radius}) {
         if (!std::isfinite(x)) return "a number of it is too large";
     }
@@ -44,7 +44,7 @@ Result<std::vector<LensSurface>> read_lens_file(const std::string& path, bool st
         const auto number = [&](std::size_t k) { return numbers[i + k].value; };
         const LensSurface surface{number(0) * millimetre, number(1) * millimetre, number(2),
                                   number(3) * millimetre / 2};
-        if (const std::string why = objection(surface); !why.empty()) {
+        if (const std::string why = check_surface(surface); !why.empty()) {
             return {{}, fmt::format("{}: {}", in_quotes(path), why)};
         }
         result.value.push_back(surface);

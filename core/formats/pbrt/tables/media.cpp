@@ -29,12 +29,13 @@ constexpr std::array heterogeneous = {absorption,
                                       required(list("density", ValueType::number))};
 
 /// Refuses a grid that has another number of densities than of cells.
-std::optional<Objection> check_grid(const Parameters& m) {
+std::optional<Incompatibility> check_grid(const Parameters& m) {
     const std::int64_t nx = m.integer("nx"), ny = m.integer("ny"), nz = m.integer("nz");
     const std::size_t given = m.numbers("density").size();
     const bool is_sane = nx > 0 && ny > 0 && nz > 0 && nx * ny <= std::int64_t{1} << 31;
     if (is_sane && static_cast<std::uint64_t>(nx * ny * nz) == given) return std::nullopt;
-    return Objection{fmt::format("it has {} densities for {} x {} x {}", given, nx, ny, nz), true};
+    return Incompatibility{fmt::format("it has {} densities for {} x {} x {}", given, nx, ny, nz),
+                           true};
 }
 
 constexpr std::array types = {

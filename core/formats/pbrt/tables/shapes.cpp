@@ -32,38 +32,39 @@ constexpr std::array curve = {
     list("N", ValueType::normal),
 };
 
-std::optional<Objection> refuse(std::string text) {
-    return Objection{std::move(text), true};
+std::optional<Incompatibility> incompatible(std::string text) {
+    return Incompatibility{std::move(text), true};
 }
 
 /// Refuses normals that a curve of so many segments cannot have, and warns of those it ignores.
-std::optional<Objection> check_curve_normals(const Parameters& p, std::size_t segments) {
+std::optional<Incompatibility> check_curve_normals(const Parameters& p, std::size_t segments) {
     const std::size_t normals = p.numbers("N").size() / 3;
     if (p.string("type") != "ribbon") {
         if (normals == 0) return std::nullopt;
-        return Objection{"only a curve of type 'ribbon' has normals: they are ignored", false};
+        return Incompatibility{"only a curve of type 'ribbon' has normals: they are ignored",
+                               false};
     }
     if (normals == segments + 1) return std::nullopt;
-    return refuse(fmt::format("a ribbon of {} segments has {} normals, not {}", segments,
-                              segments + 1, normals));
+    return incompatible(fmt::format("a ribbon of {} segments has {} normals, not {}", segments,
+                                    segments + 1, normals));
 }
 
-std::optional<Objection> check_curve(const Parameters& p) {
+std::optional<Incompatibility> check_curve(const Parameters& p) {
     const std::int32_t stated = p.integer("degree");
     if (stated != 2 && stated != 3) {
-        return refuse(fmt::format("its degree is 2 or 3, not {}", stated));
+        return incompatible(fmt::format("its degree is 2 or 3, not {}", stated));
     }
     const auto degree = static_cast<std::size_t>(stated);
     const std::size_t points = p.numbers("P").size() / 3;
     if (p.string("basis") == "bspline") {
         if (points > degree) return check_curve_normals(p, points - degree);
-        return refuse(fmt::format("a b-spline of degree {} has {} points or more, not {}", degree,
-                                  degree + 1, points));
+        return incompatible(fmt::format("a b-spline of degree {} has {} points or more, not {}",
+                                        degree, degree + 1, points));
     }
     if (points > degree && (points - 1) % degree == 0) {
         return check_curve_normals(p, (points - 1) / degree);
     }
-    return refuse(
+    return incompatible(
         fmt::format("a Bezier curve of degree {} has {} points and {} more for each "
                     "further segment, not {}",
                     degree, degree + 1, degree, points));

@@ -7,7 +7,7 @@
 namespace etalon {
 
 /// Prints why something failed. Returns false, for the caller to return.
-inline bool complain(const std::string& message) {
+inline bool fail_with(const std::string& message) {
     print_message("etalon: error: {}\n", message);
     return false;
 }
