@@ -14,7 +14,7 @@ Subsurface below(const SubsurfaceMaterial& material, const DiffusionTable& table
                  const PointValues& values) {
     return {TabulatedProfile(table, material.factor * values.part(material.absorption),
                              material.factor * values.part(material.scattering)),
-            material.border.eta.value};
+            material.boundary.eta.value};
 }
 
 Subsurface below(const KdSubsurfaceMaterial& material, const DiffusionTable& table,
@@ -28,7 +28,7 @@ Subsurface below(const KdSubsurfaceMaterial& material, const DiffusionTable& tab
         scattering[c] = albedo / free_path[c];
         absorption[c] = (1 - albedo) / free_path[c];
     }
-    return {TabulatedProfile(table, absorption, scattering), material.border.eta.value};
+    return {TabulatedProfile(table, absorption, scattering), material.boundary.eta.value};
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ Subsurface below(const KdSubsurfaceMaterial& material, const DiffusionTable& tab
 DiffusionTables::DiffusionTables(const std::vector<PhysicalMaterial>& materials) {
     const auto add = [&](const auto& kind) {
         if constexpr (has_table<std::decay_t<decltype(kind)>>) {
-            const float eta = kind.border.eta.value;
+            const float eta = kind.boundary.eta.value;
             tables_.try_emplace({kind.g, eta}, kind.g, eta);
         }
     };
@@ -77,11 +77,11 @@ std::optional<Subsurface> constant_subsurface(const PhysicalMaterial& material,
 }
 
 void add_lobes(const SubsurfaceMaterial& material, const PointValues& values, LobeList& lobes) {
-    add_lobes(material.border, values, lobes);
+    add_lobes(material.boundary, values, lobes);
 }
 
 void add_lobes(const KdSubsurfaceMaterial& material, const PointValues& values, LobeList& lobes) {
-    add_lobes(material.border, values, lobes);
+    add_lobes(material.boundary, values, lobes);
 }
 
 }  // namespace etalon

@@ -18,7 +18,7 @@ class DiffusionTables {
     /// Returns that of a material, whose index must be constant.
     template <class Material>
     const DiffusionTable& of(const Material& material) const {
-        return tables_.at({material.g, material.border.eta.value});
+        return tables_.at({material.g, material.boundary.eta.value});
     }
 
   private:

@@ -76,7 +76,7 @@ struct DisneyMaterial {
 
 /// A surface below which a medium scatters light until it leaves at another point.
 struct SubsurfaceMaterial {
-    GlassMaterial border;              ///< its index is constant
+    GlassMaterial boundary;            ///< its index is constant
     ColorSlot absorption, scattering;  ///< coefficients
     float g = 0;                       ///< mean cosine of scattering, between -1 and 1
     float factor = 1;                  ///< factor of the coefficients
@@ -84,11 +84,11 @@ struct SubsurfaceMaterial {
 
 /// Subsurface scattering given by what is observed of it.
 struct KdSubsurfaceMaterial {
-    GlassMaterial border;  ///< its index is constant
-    ColorSlot albedo;      ///< fraction of the light that entered which leaves
-    ColorSlot free_path;   ///< mean free path
-    float g = 0;           ///< mean cosine of scattering, between -1 and 1
-    float unit = 1;        ///< length of the free path's unit in the world
+    GlassMaterial boundary;  ///< its index is constant
+    ColorSlot albedo;        ///< fraction of the light that entered which leaves
+    ColorSlot free_path;     ///< mean free path
+    float g = 0;             ///< mean cosine of scattering, between -1 and 1
+    float unit = 1;          ///< length of the free path's unit in the world
 };
 
 /// Scattering by a table.

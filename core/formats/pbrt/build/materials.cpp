@@ -39,13 +39,13 @@ Kind translucent(SceneBuilder& b, const Material& m) {
                                b.color(p, "transmit"), same_roughness(b, p)};
 }
 
-GlassMaterial border(SceneBuilder& b, const Parameters& p) {
+GlassMaterial boundary(SceneBuilder& b, const Parameters& p) {
     return {b.color(p, "Kr"), b.color(p, "Kt"), b.number(p, "eta"),
             roughness(b, p, "uroughness", "vroughness")};
 }
 
 Kind glass(SceneBuilder& b, const Material& m) {
-    return border(b, m.plugin.parameters);
+    return boundary(b, m.plugin.parameters);
 }
 
 Kind mirror(SceneBuilder& b, const Material& m) {
@@ -90,7 +90,7 @@ Kind disney(SceneBuilder& b, const Material& m) {
 
 Kind subsurface(SceneBuilder& b, const Material& m) {
     const Parameters& p = m.plugin.parameters;
-    SubsurfaceMaterial built{border(b, p), b.color(p, "sigma_a"), b.color(p, "sigma_s"),
+    SubsurfaceMaterial built{boundary(b, p), b.color(p, "sigma_a"), b.color(p, "sigma_s"),
                              mean_cosine(b, m.plugin), p.number("scale")};
     if (const ScatteringPreset* const preset = preset_of(b, m.plugin, "name")) {
         built.g = 0;  // the preset's scattering coefficient is the reduced one
@@ -102,7 +102,7 @@ Kind subsurface(SceneBuilder& b, const Material& m) {
 
 Kind kd_subsurface(SceneBuilder& b, const Material& m) {
     const Parameters& p = m.plugin.parameters;
-    return KdSubsurfaceMaterial{border(b, p), b.color(p, "Kd"), b.color(p, "mfp"),
+    return KdSubsurfaceMaterial{boundary(b, p), b.color(p, "Kd"), b.color(p, "mfp"),
                                 mean_cosine(b, m.plugin), p.number("scale")};
 }
 
