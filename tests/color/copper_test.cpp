@@ -1,4 +1,4 @@
-#include "core/color/copper.h"
+#include "tests/color/copper.h"
 
 #include "tests/color/near_color.h"
 

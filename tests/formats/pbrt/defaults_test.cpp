@@ -4,9 +4,9 @@
 #include <map>
 #include <sstream>
 
-#include "core/color/copper.h"
 #include "core/formats/pbrt/parameters.h"
 #include "tests/catch.h"
+#include "tests/color/copper.h"
 
 using namespace etalon;
 using namespace etalon::pbrt;

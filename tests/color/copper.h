@@ -1,4 +1,4 @@
-// The measured index of refraction of copper, the default metal.
+// The measured index of refraction of copper, to compare the default metal of PBRT with.
 #pragma once
 
 #include "core/numerics/vec.h"
