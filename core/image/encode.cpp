@@ -6,17 +6,17 @@
 
 namespace etalon {
 
-namespace {
-
-std::uint8_t byte_of_light(float value, double gain) {
+std::uint8_t srgb_byte(float value, double gain) {
     static const SrgbBytes bytes;
     return bytes(displayed(gain * value));
 }
 
-std::uint8_t byte_of_display(float value, double gain) {
+std::uint8_t display_byte(float value, double gain) {
     const double shown = gain == 1 ? value : srgb_encoded(gain * srgb_decoded(value));
     return static_cast<std::uint8_t>(255.99 * displayed(shown));
 }
+
+namespace {
 
 template <class Encode>
 std::vector<std::uint8_t> encoded(const std::vector<Color>& pixels, const Encode& encode) {
@@ -31,19 +31,11 @@ std::vector<std::uint8_t> encoded(const std::vector<Color>& pixels, const Encode
 
 }  // namespace
 
-std::uint8_t srgb_byte(float value, double gain) {
-    return byte_of_light(value, gain);
-}
-
-std::uint8_t display_byte(float value, double gain) {
-    return byte_of_display(value, gain);
-}
-
 std::vector<std::uint8_t> display_bytes(const RenderedImage& image, double exposure) {
     const double gain = std::exp2(exposure);
     return image.display_colors
-               ? encoded(image.pixels, [&](float value) { return byte_of_display(value, gain); })
-               : encoded(image.pixels, [&](float value) { return byte_of_light(value, gain); });
+               ? encoded(image.pixels, [&](float value) { return display_byte(value, gain); })
+               : encoded(image.pixels, [&](float value) { return srgb_byte(value, gain); });
 }
 
 }  // namespace etalon

@@ -11,7 +11,8 @@ struct FresnelTerms {
     bool total;
 };
 
-/// Evaluates the Fresnel equations. eta is the index of refraction on the incident side divided by
+/// Evaluates the Fresnel equations. Reference for LeavingRays, which computes the same in SIMD
+/// lanes. eta is the index of refraction on the incident side divided by
 /// that on the other side; cos_incident is in [0, 1].
 FresnelTerms fresnel_dielectric(double eta, double cos_incident);
 
@@ -23,8 +24,8 @@ inline Vec3 reflect(const Vec3& direction, const Vec3& normal) {
     return direction - 2 * direction.dot(normal) * normal;
 }
 
-/// Refracts a unit vector by Snell's law. `normal` is a unit vector with a negative dot product
-/// with `direction`.
+/// Refracts a unit vector by Snell's law. Reference for LeavingRays, too. `normal` is a unit vector
+/// with a negative dot product with `direction`.
 inline Vec3 refract(const Vec3& direction, const Vec3& normal, double eta, double cos_incident,
                     double cos_refracted) {
     return eta * direction + (eta * cos_incident - cos_refracted) * normal;
