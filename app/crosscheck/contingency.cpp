@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "app/crosscheck/classification.h"
+
 namespace etalon::crosscheck {
 namespace {
 

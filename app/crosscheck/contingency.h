@@ -1,7 +1,7 @@
 // Comparison of two backends: which is right where they differ.
 #pragma once
 
-#include "app/crosscheck/classification.h"
+#include "app/crosscheck/crosschecked_tracer.h"
 
 namespace etalon::crosscheck {
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "app/common/hit_text.h"
+#include "app/crosscheck/classification.h"
 
 namespace etalon::crosscheck {
 namespace {

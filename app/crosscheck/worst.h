@@ -1,7 +1,7 @@
 // The rays that a backend answers worst, as input of `etalon trace`.
 #pragma once
 
-#include "app/crosscheck/classification.h"
+#include "app/crosscheck/crosschecked_tracer.h"
 
 namespace etalon::crosscheck {
 

@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
+#include "core/parallel/parallel.h"
 #include "core/render/adaptive_passes.h"
 #include "core/render/pass_errors.h"
 #include "core/render/tile_renderer.h"
-#include "core/render/tiles.h"
 #include "core/render/uniform_passes.h"
 
 namespace etalon {

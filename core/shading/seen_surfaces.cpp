@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/intersect/kernels.h"
 #include "core/intersect/surface_group.h"
 
 #define ETALON_WITH_AVX3

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "app/common/backends.h"
-#include "bench/accuracy/report/numbers.h"
 #include "bench/accuracy/report/plot.h"
 #include "bench/report/command_lines.h"
 #include "bench/report/formatting.h"

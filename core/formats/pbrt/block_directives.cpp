@@ -1,7 +1,6 @@
 // Statements that begin and end blocks: the world, attributes, objects, included files.
 #include "core/formats/diagnostic_log.h"
 #include "core/formats/load.h"
-#include "core/formats/nearest_name.h"
 #include "core/formats/pbrt/parser.h"
 
 namespace etalon::pbrt {

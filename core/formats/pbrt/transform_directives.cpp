@@ -1,6 +1,5 @@
 // Statements that change the current transformation.
 #include "core/formats/diagnostic_log.h"
-#include "core/formats/nearest_name.h"
 #include "core/formats/pbrt/parser.h"
 #include "core/formats/pbrt/transformations.h"
 
