@@ -8,7 +8,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "app/merge/merged_films.h"
-#include "app/render/image_identity.h"
+#include "app/part/image_identity.h"
 #include "app/subcommands.h"
 #include "core/image/file_replacement.h"
 #include "core/image/io.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/render/image_identity.h"
+#include "app/part/image_identity.h"
 
 namespace etalon {
 namespace {

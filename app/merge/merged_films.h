@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/merge/film_appendix.h"
+#include "app/part/film_appendix.h"
 #include "core/render/image_film.h"
 
 namespace etalon {

@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "app/mpi/tile_message.h"
-#include "app/render/image_identity.h"
+#include "app/part/image_identity.h"
 #include "core/parallel/all_threads.h"
 
 namespace etalon {

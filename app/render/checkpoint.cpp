@@ -9,7 +9,7 @@
 
 #include "app/common/console.h"
 #include "app/common/shallow_json.h"
-#include "app/render/image_identity.h"
+#include "app/part/image_identity.h"
 #include "core/image/file_replacement.h"
 
 namespace etalon {

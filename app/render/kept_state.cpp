@@ -5,8 +5,8 @@
 
 #include "app/common/console.h"
 #include "app/common/output.h"
-#include "app/merge/film_appendix.h"
-#include "app/render/image_identity.h"
+#include "app/part/film_appendix.h"
+#include "app/part/image_identity.h"
 
 namespace etalon {
 namespace {

@@ -1,11 +1,11 @@
-#include "app/merge/film_appendix.h"
+#include "app/part/film_appendix.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
 #include "app/common/shallow_json.h"
-#include "app/render/image_identity.h"
+#include "app/part/image_identity.h"
 #include "core/base/hash64.h"
 #include "core/image/exr.h"
 

@@ -1,4 +1,4 @@
-#include "app/render/image_identity.h"
+#include "app/part/image_identity.h"
 
 #include <fmt/format.h>
 
