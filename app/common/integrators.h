@@ -20,7 +20,7 @@ inline std::vector<std::string> integrator_choices() {
 inline void choose_integrator(std::string_view choice, RenderSettings& settings) {
     if (choice == scene_integrator) return;
     settings.integrator = choice;
-    settings.direct_lighting = settings.ask_all_lights = false;
+    settings.direct_lighting = settings.sample_all_lights = false;
 }
 
 /// Prepares a scene for one of the choices, if that can render it.

@@ -73,7 +73,7 @@ Json image_identity(const SceneArguments& arguments, std::uint64_t scene, const 
             {"integrator", s.integrator},
             {"max-depth", s.max_depth},
             {"max-distance", number(s.max_distance)},
-            {"lights", Json{s.direct_lighting, s.ask_all_lights, s.roulette_threshold}},
+            {"lights", Json{s.direct_lighting, s.sample_all_lights, s.roulette_threshold}},
             {"rules of whitted", whitted_rules(s.whitted)},
             {"backend", backend(s, loaded.geometry)}};
 }

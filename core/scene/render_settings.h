@@ -64,7 +64,7 @@ struct RenderSettings {
     int max_depth = 5;                   ///< maximum path length, including the camera ray
     double max_distance = infinity;      ///< range of occluders, for ambient occlusion
     bool direct_lighting = false;        ///< only direct light, also in mirrors and glass
-    bool ask_all_lights = false;         ///< sample all lights at each vertex, instead of one
+    bool sample_all_lights = false;      ///< sample all lights at each vertex, instead of one
     /// Expected contribution of a path below which Russian roulette may end it.
     float roulette_threshold = 1;
     WhittedRules whitted;

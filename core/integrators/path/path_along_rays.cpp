@@ -23,7 +23,7 @@ void PathBatch<in_media>::sample_along(std::size_t ray, const RaySegment& segmen
     if (!(light.pdf > 0) || light.radiance == Color(0.0F) || !(along > 0)) return;
     const PhysicalMedium& medium = shared_.scene.physical().media[media_[ray]];
     Receiver at{position};
-    if (!shared_.asks_all) shared_.lights.pick(at, 0);
+    if (!shared_.samples_all) shared_.lights.pick(at, 0);
     const double flown = flight_density(medium, path.throughput, distance) *
                          shared_.expected_samples(at, pick.light);
     const Color scattered = transmittance(medium.extinction(), distance) * medium.scattering *
@@ -35,8 +35,8 @@ void PathBatch<in_media>::sample_along(std::size_t ray, const RaySegment& segmen
     shadow_rays_.push_back(shadow);
     shadow_media_.push_back(
         {media_[ray], path.source.sequence(along_ray_collision_dimension(path.name))});
-    answers_.push_back({path.sample, path.throughput * scattered * light.radiance *
-                                         static_cast<float>(1 / (along + flown))});
+    light_contributions_.push_back({path.sample, path.throughput * scattered * light.radiance *
+                                                     static_cast<float>(1 / (along + flown))});
 }
 
 /// Returns the share of a light's samples at the ends of flights, beside those of sample_along().

@@ -32,15 +32,15 @@ void PathBatch<in_media>::run() {
         hits_.resize(rays_.size());
         shared_.intersector.closest(rays_, hits_);
         shadow_rays_.clear();
-        answers_.clear();
+        light_contributions_.clear();
         if constexpr (in_media) {
             shadow_media_.clear();
-            fly_all();
+            sample_flights();
         }
         make_points();
         shade_all(from_camera);
         if (!entries_.empty()) scatter_below();
-        add_answers();
+        add_light_contributions();
         std::swap(rays_, next_rays_);
         std::swap(paths_, next_paths_);
         if constexpr (in_media) std::swap(media_, next_media_);
@@ -58,29 +58,29 @@ void PathBatch<in_media>::make_points() {
 
 template <bool in_media>
 void PathBatch<in_media>::clear_points() {
-    asked_.clear();
-    ways_.clear();
+    light_choices_.clear();
+    direction_choices_.clear();
     light_points_.clear();
 }
 
 /// Adds the choices of a path's next vertex to those that are generated together.
 template <bool in_media>
 void PathBatch<in_media>::add_points(const Path& path) {
-    const std::uint32_t ways = ways_of(path);
-    for (std::uint32_t way = 0; way < ways; ++way) {
-        path.source.part(way, ways).add_vertex(path.name, ways_);
+    const std::uint32_t count = split_count(path);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        path.source.part(i, count).add_vertex(path.name, direction_choices_);
     }
-    if (shared_.asks_all) {
+    if (shared_.samples_all) {
         add_light_points(path);
     } else {
-        path.source.add_vertex(path.name, asked_);
+        path.source.add_vertex(path.name, light_choices_);
     }
 }
 
 template <bool in_media>
 void PathBatch<in_media>::make_added_points() {
-    asked_.make(shared_.sampler);
-    ways_.make(shared_.sampler);
+    light_choices_.make(shared_.sampler);
+    direction_choices_.make(shared_.sampler);
     on_lights_ = light_points_.make(shared_.sampler);
 }
 
@@ -112,7 +112,7 @@ void PathBatch<in_media>::shade_all(bool from_camera) {
         }
         if (!may_scatter(i)) continue;
         ++numbers.vertex;
-        numbers.first_way += ways_of(paths_[i]);
+        numbers.first_split += split_count(paths_[i]);
     }
 }
 
@@ -139,7 +139,7 @@ void PathBatch<in_media>::shade(std::size_t ray, const VertexNumbers& numbers) {
     LazyStorage<Subsurface> room_below;
     const auto [frame, lobes] = shared_.shading.scattering(surface, room);
     SurfaceVertex at{
-        {numbers, lobes.has_smooth() ? ways_of(path) : 1},
+        {numbers, lobes.has_smooth() ? split_count(path) : 1},
         surface,
         frame,
         BsdfFrom(frame, lobes, -normalized(direction)),
@@ -162,7 +162,7 @@ void PathBatch<in_media>::scatter_in_medium(std::size_t ray, const VertexNumbers
     const Vec3 direction = normalized(rays_[ray].direction);
     path.last.position = rays_[ray].origin + flights_[ray] * rays_[ray].direction;
     path.last.normal = Vec3(0);
-    MediumVertex at{{numbers, ways_of(path)},
+    MediumVertex at{{numbers, split_count(path)},
                     path.last.position,
                     direction,
                     shared_.media.phase(media_[ray]),

@@ -38,7 +38,7 @@ class PathBatch {
         float density = 0;         ///< of the last vertex's rays in this direction, per steradian
         Receiver last{};           ///< the last vertex
         float roulette_scale = 1;  ///< factor of throughput for Russian roulette: the square of the
-                                   ///< index that it has been divided by, the number of ways among
+                                   ///< index that it has been divided by, the number of paths among
                                    ///< which it was, and how much its directions were favoured
         int depth = 0;             ///< number of scattering vertices
         bool specular = true;      ///< no light could have been sampled for that direction
@@ -51,7 +51,7 @@ class PathBatch {
 
     /// Number of paths into which a path is split at its first vertex with a smooth lobe. They
     /// share the camera ray and the light sampled there, which are less noisy than what follows.
-    static constexpr std::uint32_t split_ways = 2;
+    static constexpr std::uint32_t split_factor = 2;
 
     /// Number of points of a grid medium at which a path is scattered where it first enters one.
     /// Chosen by measurement, like the number of split paths: few paths continue from dark ones.
@@ -66,7 +66,7 @@ class PathBatch {
     };
 
     /// Unoccluded contribution of a light.
-    struct Answer {
+    struct LightContribution {
         std::uint32_t sample;
         Color color;
     };
@@ -78,7 +78,7 @@ class PathBatch {
     };
 
     /// A path that went below a surface and leaves it elsewhere.
-    struct Entry {
+    struct SubsurfaceEntry {
         Path path;
         Vec3 position;
         BsdfFrame frame;
@@ -96,7 +96,7 @@ class PathBatch {
     };
 
     /// Point where a path leaves a surface from below.
-    struct Exit {
+    struct SubsurfaceExit {
         std::uint32_t entry;
         PhysicalSurface surface;
     };
@@ -116,8 +116,8 @@ class PathBatch {
     }
 
     /// Returns the number of paths into which the path is split at a smooth lobe.
-    std::uint32_t ways_of(const Path& path) const {
-        return path.is_split || shared_.asks_all ? 1 : split_ways;
+    std::uint32_t split_count(const Path& path) const {
+        return path.is_split || shared_.samples_all ? 1 : split_factor;
     }
 
     /// Generates the random numbers of all vertices.
@@ -140,12 +140,12 @@ class PathBatch {
     void sample_lights(Path& path, const Vertex& at);
     template <class Vertex>
     void sample_light(const Path& path, const Vertex& at, const LightQuery& query);
-    void add_answers();
+    void add_light_contributions();
 
     template <class Vertex>
     void scatter(const Path& path, const Vertex& at);
     template <class Vertex>
-    void scatter(const Path& path, const Vertex& at, std::size_t way);
+    void scatter(const Path& path, const Vertex& at, std::size_t split);
     float survival(const Path& path) const;
     bool survives(Path& path, double choice) const;
     void see_lit_regions(const Receiver& at, PathVertex& vertex);
@@ -157,23 +157,23 @@ class PathBatch {
     void trace_probes();
     void choose_exits();
     void take_exit(const ProbeHit& met, std::uint32_t count);
-    void leave(const Exit& exit, const VertexNumbers& numbers);
+    void leave(const SubsurfaceExit& exit, const VertexNumbers& numbers);
 
     // Paths in media.
-    void fly_all();
+    void sample_flights();
     void add_flight_points(std::size_t ray);
-    void fly(std::size_t ray, std::size_t number);
+    void sample_flight(std::size_t ray, std::size_t number);
     bool divides(std::size_t ray) const {
-        return ways_of(paths_[ray]) > 1 && shared_.media.grid(media_[ray]);
+        return split_count(paths_[ray]) > 1 && shared_.media.grid(media_[ray]);
     }
     std::uint32_t places_of(std::size_t ray) const;
     void divide(std::size_t ray, std::size_t number);
     void add_scattered(std::size_t ray, const Path& path, const Vec2& choices);
     void sample_along(std::size_t ray, const RaySegment& segment, const Vec2& choices);
     float flight_share(const MediumVertex& at, const LightQuery& query) const;
-    void attenuate_answers();
-    void attenuate(std::size_t answer, const Ray& ray, double end);
-    bool passes(std::size_t answer, Ray& ray, const Hit& hit);
+    void attenuate_light_contributions();
+    void attenuate(std::size_t contribution, const Ray& ray, double end);
+    bool passes(std::size_t contribution, Ray& ray, const Hit& hit);
 
     const PathScene& shared_;
     const CameraSamples& samples_;
@@ -184,24 +184,25 @@ class PathBatch {
     std::vector<Ray> rays_, next_rays_;
     std::vector<Path> paths_, next_paths_;
     std::vector<Hit> hits_;
-    VertexPoints asked_{Decision::light};  ///< for the rays that may scatter, in their order
-    VertexPoints ways_{Decision::way};     ///< for all paths into which they may be split
+    VertexPoints light_choices_{
+        Decision::light};  ///< for the rays that may scatter, in their order
+    VertexPoints direction_choices_{Decision::way};  ///< for all paths into which they may be split
     SeededPoints light_points_;
     std::span<const Vec2> on_lights_;  ///< for each of these, for all samples of all lights
 
     std::vector<Ray> shadow_rays_;
-    std::vector<Answer> answers_;
+    std::vector<LightContribution> light_contributions_;
     std::vector<std::uint8_t> blocked_;
 
     // Paths below surfaces.
-    std::vector<Entry> entries_;
+    std::vector<SubsurfaceEntry> entries_;
     std::deque<Subsurface> textured_;  ///< of entries with textured subsurface scattering
     VertexPoints probe_points_{Decision::probe};
     std::vector<ProbeHit> probes_;      ///< probes in progress
     std::vector<ProbeHit> probe_hits_;  ///< hits on surfaces of the entry's material
     std::vector<Ray> probe_rays_;
     std::vector<Hit> found_;
-    std::vector<Exit> exits_;
+    std::vector<SubsurfaceExit> exits_;
 
     // Paths in media.
     std::vector<std::uint32_t> media_, next_media_;  ///< medium of each ray; no_index for none

@@ -46,25 +46,25 @@ void PathBatch<in_media>::see_lit_regions(const Receiver& at, PathVertex& vertex
 template <bool in_media>
 template <class Vertex>
 void PathBatch<in_media>::scatter(const Path& path, const Vertex& at) {
-    if (at.ways == 1) return scatter(path, at, at.numbers.first_way);
+    if (at.split_count == 1) return scatter(path, at, at.numbers.first_split);
     Path part = path;
     part.is_split = true;
-    part.throughput /= static_cast<float>(at.ways);
-    part.roulette_scale *= static_cast<float>(at.ways);
-    for (std::uint32_t i = 0; i < at.ways; ++i) {
-        part.source = path.source.part(i, at.ways);
-        scatter(part, at, at.numbers.first_way + i);
+    part.throughput /= static_cast<float>(at.split_count);
+    part.roulette_scale *= static_cast<float>(at.split_count);
+    for (std::uint32_t i = 0; i < at.split_count; ++i) {
+        part.source = path.source.part(i, at.split_count);
+        scatter(part, at, at.numbers.first_split + i);
     }
 }
 
 template <bool in_media>
 template <class Vertex>
-void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_t way) {
-    const Vec2 choices = ways_.choices(way);
+void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_t split) {
+    const Vec2 choices = direction_choices_.choices(split);
     if (choices.y >= at.survival) return;
     float favour = 1;
     const std::optional<BsdfSample> s =
-        sample_direction<in_media>(at, choices.x, ways_.place(way), favour);
+        sample_direction<in_media>(at, choices.x, direction_choices_.place(split), favour);
     if (!s || s->f == Color(0.0F) || !(s->pdf > 0)) return;
     if constexpr (std::is_same_v<Vertex, SurfaceVertex>) {
         if (at.subsurface && s->transmission) return enter(path, at, *s);
@@ -74,7 +74,7 @@ void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_
     const float cosine = at.cosine(s->wi);
     Path& next = next_paths_.emplace_back(path);
     next.throughput *= s->f * (cosine / (s->pdf * at.survival));
-    next.density = at.expected_ways() * s->pdf;
+    next.density = at.expected_paths() * s->pdf;
     next.specular = s->specular;
     next.is_unlit = false;
     // Like pbrt-v3, uses only sampled lights for directions between the horizons.

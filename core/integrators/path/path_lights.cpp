@@ -58,12 +58,13 @@ void PathBatch<in_media>::add_emitted(const Path& path, const PhysicalSurface& a
 template <bool in_media>
 template <class Vertex>
 void PathBatch<in_media>::sample_lights(Path& path, const Vertex& at) {
-    if (!shared_.asks_all) {
+    if (!shared_.samples_all) {
         const std::size_t number = at.numbers.vertex;
-        const auto pick = shared_.lights.pick(path.last, asked_.choices(number).x);
+        const auto pick = shared_.lights.pick(path.last, light_choices_.choices(number).x);
         if (!pick) return;
-        sample_light(path, at,
-                     {pick->light, static_cast<float>(pick->probability), asked_.place(number), 0});
+        sample_light(
+            path, at,
+            {pick->light, static_cast<float>(pick->probability), light_choices_.place(number), 0});
         return;
     }
     std::size_t first = at.numbers.vertex * shared_.lights.samples(), next = first;
@@ -90,7 +91,7 @@ void PathBatch<in_media>::sample_light(const Path& path, const Vertex& at,
     float weight = 1;
     if (!light.is_delta) {
         const float scattered_density =
-            at.expected_ways() * density_of<in_media>(at, light.wi, scattered.pdf);
+            at.expected_paths() * density_of<in_media>(at, light.wi, scattered.pdf);
         weight = light.at_infinity ? balance_weight(asked, scattered_density)
                                    : power_weight(asked, scattered_density);
     }
@@ -109,21 +110,22 @@ void PathBatch<in_media>::sample_light(const Path& path, const Vertex& at,
     }
     ray.set_shadow();
     shadow_rays_.push_back(ray);
-    answers_.push_back({path.sample, path.throughput * color});
+    light_contributions_.push_back({path.sample, path.throughput * color});
 }
 
 template <bool in_media>
-void PathBatch<in_media>::add_answers() {
+void PathBatch<in_media>::add_light_contributions() {
     blocked_.resize(shadow_rays_.size());
     counts_.shadow += shadow_rays_.size();
     if constexpr (in_media) {
-        attenuate_answers();
+        attenuate_light_contributions();
     } else {
         shared_.intersector.occluded(shadow_rays_, blocked_);
     }
-    for (std::size_t i = 0; i < answers_.size(); ++i) {
+    for (std::size_t i = 0; i < light_contributions_.size(); ++i) {
         counts_.shadow_blocked += blocked_[i];
-        if (blocked_[i] == 0) colors_[answers_[i].sample] += answers_[i].color;
+        if (blocked_[i] == 0)
+            colors_[light_contributions_[i].sample] += light_contributions_[i].color;
     }
 }
 
@@ -135,7 +137,7 @@ template void PathBatch<false>::sample_lights(Path&, const SurfaceVertex&);
 template void PathBatch<true>::sample_lights(Path&, const SurfaceVertex&);
 template void PathBatch<false>::sample_lights(Path&, const MediumVertex&);
 template void PathBatch<true>::sample_lights(Path&, const MediumVertex&);
-template void PathBatch<false>::add_answers();
-template void PathBatch<true>::add_answers();
+template void PathBatch<false>::add_light_contributions();
+template void PathBatch<true>::add_light_contributions();
 
 }  // namespace etalon

@@ -9,7 +9,7 @@ namespace etalon {
 
 /// Samples how far all rays go in their media.
 template <bool in_media>
-void PathBatch<in_media>::fly_all() {
+void PathBatch<in_media>::sample_flights() {
     flights_.assign(rays_.size(), infinity);
     flight_densities_.assign(rays_.size(), 0);
     flight_points_.clear();
@@ -26,7 +26,7 @@ void PathBatch<in_media>::fly_all() {
             divide(i, number);
             number += places_of(i);
         } else if (flies(i)) {
-            fly(i, number++);
+            sample_flight(i, number++);
         } else {
             RandomSequence numbers = paths_[i].source.sequence(collision_dimension(paths_[i].name));
             paths_[i].throughput *= shared_.media.transmittance(
@@ -44,7 +44,7 @@ void PathBatch<in_media>::add_flight_points(std::size_t ray) {
 
 /// Samples how far a ray goes in its medium, with the points of that number.
 template <bool in_media>
-void PathBatch<in_media>::fly(std::size_t ray, std::size_t number) {
+void PathBatch<in_media>::sample_flight(std::size_t ray, std::size_t number) {
     Path& path = paths_[ray];
     Hit& hit = hits_[ray];
     const std::uint32_t medium = media_[ray];
@@ -121,10 +121,10 @@ void PathBatch<in_media>::add_scattered(std::size_t ray, const Path& path, const
 
 /// Attenuates the light of lights by what is in the way: surfaces block it, media let a part pass.
 template <bool in_media>
-void PathBatch<in_media>::attenuate_answers() {
+void PathBatch<in_media>::attenuate_light_contributions() {
     if (!shared_.shading.has_null_materials()) {
         shared_.intersector.occluded(shadow_rays_, blocked_);
-        for (std::size_t i = 0; i < answers_.size(); ++i) {
+        for (std::size_t i = 0; i < light_contributions_.size(); ++i) {
             if (blocked_[i] == 0) attenuate(i, shadow_rays_[i], shadow_rays_[i].tmax);
         }
         return;
@@ -148,36 +148,37 @@ void PathBatch<in_media>::attenuate_answers() {
     }
 }
 
-/// Attenuates an answer by the medium that its ray passes up to `end`.
+/// Attenuates a contribution by the medium that its ray passes up to `end`.
 template <bool in_media>
-void PathBatch<in_media>::attenuate(std::size_t answer, const Ray& ray, double end) {
-    auto& [medium, numbers] = shadow_media_[answer];
+void PathBatch<in_media>::attenuate(std::size_t contribution, const Ray& ray, double end) {
+    auto& [medium, numbers] = shadow_media_[contribution];
     if (medium == no_index) return;
-    answers_[answer].color *= shared_.media.transmittance(medium, segment_of(ray, end), numbers);
+    light_contributions_[contribution].color *=
+        shared_.media.transmittance(medium, segment_of(ray, end), numbers);
 }
 
 /// Returns whether a shadow ray continues beyond its hit, if there is one. `ray` becomes the rest
 /// of it.
 template <bool in_media>
-bool PathBatch<in_media>::passes(std::size_t answer, Ray& ray, const Hit& hit) {
+bool PathBatch<in_media>::passes(std::size_t contribution, Ray& ray, const Hit& hit) {
     if (hit.primitive == no_index) {
-        attenuate(answer, ray, ray.tmax);
+        attenuate(contribution, ray, ray.tmax);
         return false;
     }
     const PhysicalSurface at = physical_surface(shared_.scene, ray, hit);
     if (!shared_.shading.has_null_material(at)) {
-        blocked_[answer] = 1;
+        blocked_[contribution] = 1;
         return false;
     }
-    attenuate(answer, ray, hit.t);
-    if (answers_[answer].color == Color(0.0F)) return false;
-    std::uint32_t& medium = shadow_media_[answer].medium;
+    attenuate(contribution, ray, hit.t);
+    if (light_contributions_[contribution].color == Color(0.0F)) return false;
+    std::uint32_t& medium = shadow_media_[contribution].medium;
     medium = medium_beyond(at, ray.direction, medium);
     ray = ray_beyond(ray, hit, at.point.convexity);
     return ray.tmin < ray.tmax;
 }
 
-template void PathBatch<true>::fly_all();
-template void PathBatch<true>::attenuate_answers();
+template void PathBatch<true>::sample_flights();
+template void PathBatch<true>::attenuate_light_contributions();
 
 }  // namespace etalon

@@ -23,7 +23,7 @@ struct PathScene {
           shading(of, problems),
           most_vertices(settings.max_depth - 1),
           roulette_threshold(settings.roulette_threshold),
-          asks_all(settings.ask_all_lights),
+          samples_all(settings.sample_all_lights),
           direct_only(settings.direct_lighting),
           sampler(settings.sampler) {
         if (in_media) lit_regions.emplace(of, lights, by);
@@ -32,7 +32,7 @@ struct PathScene {
 
     /// Returns how many samples of the light a vertex takes, on average.
     double expected_samples(const Receiver& at, std::uint32_t light) const {
-        return asks_all ? lights.samples(light) : lights.pick_probability(at, light);
+        return samples_all ? lights.samples(light) : lights.pick_probability(at, light);
     }
 
     const Scene& scene;
@@ -43,7 +43,7 @@ struct PathScene {
     std::optional<LitRegions> lit_regions;  ///< if there are any
     int most_vertices;                      ///< largest number of scattering vertices
     float roulette_threshold;
-    bool asks_all;     ///< sample all lights at each vertex
+    bool samples_all;  ///< sample all lights at each vertex
     bool direct_only;  ///< no indirect light, except in mirrors and glass
     Sampler sampler;
 };

@@ -28,13 +28,13 @@ void PathBatch<in_media>::scatter_below() {
     trace_probes();
     choose_exits();
     clear_points();
-    for (const Exit& exit : exits_) add_points(entries_[exit.entry].path);
+    for (const SubsurfaceExit& exit : exits_) add_points(entries_[exit.entry].path);
     make_added_points();
     VertexNumbers numbers;
-    for (const Exit& exit : exits_) {
+    for (const SubsurfaceExit& exit : exits_) {
         leave(exit, numbers);
         ++numbers.vertex;
-        numbers.first_way += ways_of(entries_[exit.entry].path);
+        numbers.first_split += split_count(entries_[exit.entry].path);
     }
     entries_.clear();
     textured_.clear();
@@ -43,11 +43,11 @@ void PathBatch<in_media>::scatter_below() {
 template <bool in_media>
 void PathBatch<in_media>::send_probes() {
     probe_points_.clear();
-    for (const Entry& e : entries_) e.path.source.add_vertex(e.path.name, probe_points_);
+    for (const SubsurfaceEntry& e : entries_) e.path.source.add_vertex(e.path.name, probe_points_);
     probe_points_.make(shared_.sampler);
     probes_.clear();
     for (std::uint32_t i = 0; i < entries_.size(); ++i) {
-        const Entry& e = entries_[i];
+        const SubsurfaceEntry& e = entries_[i];
         const ProfileSampling sampling(e.subsurface->profile, e.frame, e.position);
         const auto probe = sampling.probe(probe_points_.choices(i).x, probe_points_.place(i));
         if (!probe) continue;
@@ -103,7 +103,7 @@ void PathBatch<in_media>::choose_exits() {
 /// Lets a path leave where its probe hit one of `count` surfaces, if any light comes from there.
 template <bool in_media>
 void PathBatch<in_media>::take_exit(const ProbeHit& met, std::uint32_t count) {
-    Entry& e = entries_[met.entry];
+    SubsurfaceEntry& e = entries_[met.entry];
     const PhysicalSurface at = physical_surface(shared_.scene, met.ray, met.hit);
     const ProfileSampling sampling(e.subsurface->profile, e.frame, e.position);
     const float density = sampling.density(at.point.position, at.ng);
@@ -119,14 +119,17 @@ void PathBatch<in_media>::take_exit(const ProbeHit& met, std::uint32_t count) {
 
 /// Samples lights at such a point, and continues from there.
 template <bool in_media>
-void PathBatch<in_media>::leave(const Exit& exit, const VertexNumbers& numbers) {
-    Entry& e = entries_[exit.entry];
+void PathBatch<in_media>::leave(const SubsurfaceExit& exit, const VertexNumbers& numbers) {
+    SubsurfaceEntry& e = entries_[exit.entry];
     const PhysicalSurface& surface = exit.surface;
     const BsdfFrame frame(surface.ng, surface.ns);
     LobeList lobes;
     lobes.add(DiffuseExit(e.subsurface->eta));
-    const SurfaceVertex at{
-        {numbers, ways_of(e.path)}, surface, frame, BsdfFrom(frame, lobes, surface.ns), e.medium};
+    const SurfaceVertex at{{numbers, split_count(e.path)},
+                           surface,
+                           frame,
+                           BsdfFrom(frame, lobes, surface.ns),
+                           e.medium};
     if (!shared_.lights.empty()) sample_lights(e.path, at);
     scatter(e.path, at);
 }

@@ -12,18 +12,18 @@ namespace etalon {
 
 /// Indices of the random numbers of a vertex.
 struct VertexNumbers {
-    std::size_t vertex = 0;     ///< among the vertices that may scatter
-    std::size_t first_way = 0;  ///< among the paths into which they may be split
+    std::size_t vertex = 0;       ///< among the vertices that may scatter
+    std::size_t first_split = 0;  ///< among the paths into which they may be split
 };
 
 struct PathVertex {
     VertexNumbers numbers;
-    std::uint32_t ways;  ///< number of paths that continue
-    float survival = 1;  ///< probability of each, if it is decided before the direction
+    std::uint32_t split_count;  ///< number of paths that continue
+    float survival = 1;         ///< probability of each, if it is decided before the direction
     const LitRegionsFrom* lit_regions = nullptr;  ///< regions to which some directions go, or null
 
     /// Returns how many paths continue, on average.
-    float expected_ways() const { return static_cast<float>(ways) * survival; }
+    float expected_paths() const { return static_cast<float>(split_count) * survival; }
 };
 
 /// Returns the medium on the side of a surface to which `direction` leaves it; `medium` is that of

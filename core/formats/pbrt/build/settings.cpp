@@ -118,7 +118,7 @@ bool sees_media(std::string_view name) {
     return name == "volpath" || name == "bdpt" || name == "mlt";
 }
 
-bool asks_all_lights(const Plugin& integrator) {
+bool samples_all_lights(const Plugin& integrator) {
     return is_direct(integrator.type->name) && !(integrator.type->find("strategy") &&
                                                  integrator.parameters.string("strategy") == "one");
 }
@@ -135,7 +135,7 @@ void build_integrator(SceneBuilder& b) {
     warn_of_stand_in(b, integrator);
     to.integrator = sees_media(name) ? "volpath" : "path";
     to.direct_lighting = is_direct(name);
-    to.ask_all_lights = asks_all_lights(integrator);
+    to.sample_all_lights = samples_all_lights(integrator);
     const int vertices =
         within(b, integrator, "as maxdepth", p.integer("maxdepth"), 0, most_vertices);
     to.max_depth = 1 + (to.direct_lighting ? std::max(vertices, 1) : vertices);
