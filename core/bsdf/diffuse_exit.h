@@ -10,14 +10,15 @@ namespace etalon {
 
 /// Direction in which light enters that is then scattered below the surface until it is isotropic:
 /// the transmittance of a smooth interface over its mean (Pharr, Jakob & Humphreys 2016, section
-/// 11.4.2). Radiance was divided by eta^2 where the eye's path entered, so it is multiplied by
+/// 11.4.2). Radiance was divided by eta^2 where the camera path entered, so it is multiplied by
 /// eta^2 here.
 struct DiffuseExit {
     static constexpr LobeKind kind = LobeKind::reflection;
     Color factor;
     float index;  ///< below over above
 
-    /// For an interface of that index; black for those too far from 1 for the mean's formula.
+    /// Makes the lobe of an interface of that index; it is black for those too far from 1 for the
+    /// mean's formula.
     explicit DiffuseExit(float below_over_above) : factor(0), index(below_over_above) {
         const float mean = 1 - 2 * fresnel_moment1(1 / index);
         if (mean > 0) factor = Color(index * index * inverse_pi / mean);

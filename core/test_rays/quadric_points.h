@@ -7,7 +7,8 @@
 
 namespace etalon {
 
-/// Each is looked for on random lines, and is just a point of the clip box if these do not find it.
+/// Random points of a quadric and its box. Those of the surface are searched on random lines; a
+/// point of the clip box serves if none is found.
 class QuadricPoints {
   public:
     explicit QuadricPoints(const Quadric& quadric);
@@ -18,8 +19,8 @@ class QuadricPoints {
     /// Returns a point where the surface meets a face of the clip box.
     Vec3 on_rim(Random& random) const;
 
-    /// In a direction from `from` in which the surface is seen edge-on, but for `off` times the
-    /// box's size.
+    /// Returns a point in a direction from `from` in which the surface is seen edge-on, but for
+    /// `off` times the box's size.
     Vec3 silhouette(const Vec3& from, double off, Random& random) const;
 
   private:

@@ -108,7 +108,7 @@ std::vector<Target> targets(const Quadric& quadric, double finest) {
     };
 }
 
-/// Those of a shape whose image in the frame is aimed at.
+/// Returns the targets of a shape under a map, given those of the shape in the frame.
 std::vector<Target> moved(const std::vector<Target>& targets, const Vec3& origin,
                           const LocalFrame& frame) {
     std::vector<Target> list;

@@ -9,8 +9,9 @@
 
 namespace etalon::generate {
 
-/// (cos, sin) of an angle given in turns, to a few units in the last place; exact at quarter turns.
-/// The Taylor series after reduction to an eighth of a turn either side of a quarter.
+/// Returns (cos, sin) of an angle given in turns, to a few units in the last place; exact at
+/// quarter turns. The Taylor series after reduction to an eighth of a turn either side of a
+/// quarter.
 inline Vec2 on_circle(double turns) {
     constexpr double two_pi = 6.283185307179586;
     const double quarter = std::floor(4 * turns + 0.5);
@@ -34,7 +35,7 @@ inline Vec2 on_circle(double turns) {
     }
 }
 
-/// The cube root of x >= 1, by Newton's method from above.
+/// Returns the cube root of x >= 1, by Newton's method from above.
 inline double cube_root(double x) {
     double root = x;
     for (double next = (2 * root + x / (root * root)) / 3; next < root;
@@ -51,13 +52,13 @@ constexpr std::uint64_t scramble(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// A number in [-1, 1) that is a pure function of its two keys.
+/// Returns a number in [-1, 1) that is a pure function of its two keys.
 constexpr double noise(std::uint64_t a, std::uint64_t b) {
     const std::uint64_t bits = scramble(scramble(a + 0x9E3779B97F4A7C15U) + b);
     return static_cast<double>(bits >> 11) * 0x1p-52 - 1;
 }
 
-/// A point of the cube [-1, 1)^3, likewise.
+/// Returns a point of the cube [-1, 1)^3, likewise.
 constexpr Vec3 noise_point(std::uint64_t a, std::uint64_t b) {
     return {noise(a, 3 * b), noise(a, 3 * b + 1), noise(a, 3 * b + 2)};
 }

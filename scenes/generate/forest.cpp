@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t trees = 20;
 constexpr std::uint64_t leaves = 388;
 
-/// A point of a crown's outer half, about a ball of radius 1.
+/// Returns a point of a crown's outer half, about a ball of radius 1.
 Vec3 leaf_place(std::uint64_t key) {
     const Vec3 p = noise_point(key, 0);
     return p.normalized() * (0.75 + 0.25 * noise(key, 9));

@@ -23,7 +23,8 @@ constexpr std::array<Corner, 6> tooth{{{-0.30, -1.0 * module},
                                        {0.30, -1.0 * module}}};
 using Outline = std::array<Vec3, teeth * tooth.size()>;
 
-/// Clockwise seen from above; `phase` turns the gear by that fraction of the pitch.
+/// Returns the outline of a gear, clockwise seen from above; `phase` turns the gear by that
+/// fraction of the pitch.
 Outline outline(const Vec3& centre, double radius, double phase) {
     Outline corners;
     for (std::size_t k = 0; k < corners.size(); ++k) {

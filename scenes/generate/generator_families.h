@@ -16,8 +16,8 @@ namespace etalon::generate {
 
 using Writer = P3fWriter;
 
-/// Each writes a whole scene; what `size` means is in the table. Those of instances are PBRT, as no
-/// other format has such.
+/// Write a whole scene; the table says what `size` means. Scenes with instances are PBRT, which
+/// alone has them.
 void sphereflake(Writer& out, std::int64_t size);
 void tetra(Writer& out, std::int64_t size);
 void mountain(Writer& out, std::int64_t size);
@@ -31,7 +31,7 @@ void plaza(LineWriter& out, std::int64_t size);
 
 struct Family {
     std::string_view name;
-    /// Hands the text on, after a comment of one line. Lets through what the sink throws.
+    /// Passes the text to `sink`, after a one-line comment. Passes on exceptions of the sink.
     void (*generate)(const LineWriter::Sink& sink, const std::string& comment, std::int64_t size);
     std::string_view description;  ///< with the number of primitives as a function of N, the size
     std::int64_t default_size, min_size, max_size;
@@ -39,7 +39,7 @@ struct Family {
 
 std::span<const Family> families();
 
-/// The family called `name`, or nullptr.
+/// Returns the family called `name`, or nullptr.
 const Family* find_family(std::string_view name);
 
 /// Writes the ground of the classic families: a large square in a material of its own.

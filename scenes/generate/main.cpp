@@ -28,7 +28,7 @@ int fail(ExitStatus status, const std::string& message) {
     return status;
 }
 
-/// The families, for --help and for who asks for one that does not exist.
+/// Returns the list of families, for --help and for errors.
 std::string list_of_families() {
     std::string text = "Families (N is the size; in parentheses the default and the range):\n";
     for (const Family& f : families()) {

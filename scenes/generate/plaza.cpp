@@ -33,7 +33,7 @@ Mesh steps() {
     return mesh;
 }
 
-/// Half a ball of bands.
+/// Returns half a ball of bands.
 Mesh dome() {
     constexpr int bands = 6;
     Mesh mesh;

@@ -23,7 +23,7 @@ void divide(Writer& out, const Tetrahedron& t, std::int64_t depth) {
     }
 }
 
-/// Regular, of circumradius 1 on the ground.
+/// Returns a regular tetrahedron of circumradius 1 on the ground.
 Tetrahedron whole() {
     Tetrahedron t;
     for (int k = 0; k < 3; ++k) {

@@ -47,7 +47,7 @@ void tree(Writer& out, std::int64_t size) {
     ground(out);
     const Branch trunk{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, 0.75, 0.13};
 
-    // Two walks, so that the material changes once and not at every leaf.
+    // Two passes, so that the material changes once and not at every leaf.
     out.material({.diffuse = {0.45F, 0.33F, 0.22F}, .kd = 0.9});
     grow(trunk, size, [&](const Branch& b, std::int64_t forks) {
         const double tip_radius = b.radius * child_radius;

@@ -1,11 +1,11 @@
-// Common part of the textbooks' kernels. A kernel is a struct that takes the shape when it is made,
-// rounded to the numbers it calculates in, and has
+// Common part of the textbook kernels. A kernel is a struct that is made from a shape, whose
+// numbers it rounds to its own type, and has
 //
-//   using RayForm = ...;                    the form of ray it wants: see RayBlock
+//   using RayForm = ...;                        the ray type that it takes: see RayBlock
 //   Real first_hit(const RayForm& ray) const;   the smallest t in the ray's interval, or NaN
 //
-// Both sides of a surface are visible. The kernels are as published, faults and all: they are
-// what the project's kernels are measured against.
+// Both sides of a surface are visible. The kernels are as published, including their faults, as the
+// baseline for the project's kernels.
 #pragma once
 
 #include <string_view>
@@ -19,7 +19,7 @@ namespace etalon::accuracy {
 template <class Real>
 using Vec = Imath::Vec3<Real>;
 
-/// The form of a ray in which nothing is worked out.
+/// Ray without precomputed data.
 template <class Real>
 using PlainRay = std::conditional_t<std::is_same_v<Real, float>, FloatRay, Ray>;
 
@@ -31,14 +31,14 @@ bool contains(const RayForm& ray, Real t) {
     return t > ray.tmin && t <= ray.tmax;
 }
 
-/// The first of two roots, near <= far, that is in the ray's interval.
+/// Returns the first of two roots, near <= far, that is in the ray's interval.
 template <class Real, class RayForm>
 Real first_within(const RayForm& ray, Real near, Real far) {
     if (contains(ray, near)) return near;
     return contains(ray, far) ? far : no_root<Real>;
 }
 
-/// A kernel and what it is called in the report.
+/// A kernel with its name in the report.
 template <class Kernel>
 struct Named {
     std::string_view name;

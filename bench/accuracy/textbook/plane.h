@@ -4,7 +4,7 @@
 
 namespace etalon::accuracy {
 
-/// n . x = distance: one number less to keep than a point, and a cancellation more.
+/// Plane as n . x = distance: one number less than with a point, and one more cancellation.
 template <class Real>
 struct TextbookPlane {
     using RayForm = PlainRay<Real>;
@@ -23,7 +23,7 @@ struct TextbookPlane {
     Real distance;
 };
 
-/// The distance is taken from a point of the plane, so that what is common to both is gone first.
+/// Plane by a point: subtracting the point first avoids cancellation.
 struct PointPlane {
     using RayForm = FloatRay;
 

@@ -13,13 +13,13 @@ struct QuadricCoefficients {
         for (std::size_t i = 0; i < m.size(); ++i) m[i] = static_cast<Real>(s.coefficients[i]);
     }
 
-    /// M v for the matrix of the squares.
+    /// Returns M v for the matrix of the squares.
     Vec<Real> turned(const Vec<Real>& v) const {
         return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[1] * v.x + m[4] * v.y + m[5] * v.z,
                 m[2] * v.x + m[5] * v.y + m[7] * v.z};
     }
 
-    /// a t^2 + 2 b t + c = 0 on the line f + t d, f seen from the centre.
+    /// The equation a t^2 + 2 b t + c = 0 on the line f + t d, f seen from the centre.
     struct Quadratic {
         Real a, b, c;
     };
@@ -28,7 +28,7 @@ struct QuadricCoefficients {
         return {d.dot(turned(d)), d.dot(slope), f.dot(slope + l) + m[9]};
     }
 
-    /// t, or NaN where the line o + t d is out of the clip box there.
+    /// Returns t, or NaN where the line o + t d is out of the clip box there.
     Real clipped(const Vec<Real>& o, const Vec<Real>& d, Real t) const {
         const Vec<Real> p = o + t * d;
         for (int k = 0; k < 3; ++k) {

@@ -38,7 +38,7 @@ struct TextbookRevolved {
         return first_within(ray, clipped(o, d, near), clipped(o, d, far));
     }
 
-    /// t, or NaN where the line is cut off there.
+    /// Returns t, or NaN where the line is cut off there.
     Real clipped(const Vec<Real>& o, const Vec<Real>& d, Real t) const {
         const Vec<Real> p = o + t * d;
         const Real along = profile.is_flat() ? std::hypot(p.x, p.y) : p.z;

@@ -4,7 +4,7 @@
 
 namespace etalon::accuracy {
 
-/// Meets the plane n . x = distance, as for a plane, then compares the distance to the centre.
+/// Intersects the plane n . x = distance, then compares the distance to the centre.
 template <class Real>
 struct TextbookRing {
     using RayForm = PlainRay<Real>;
@@ -30,7 +30,7 @@ struct TextbookRing {
     Real distance, inner2, outer2;
 };
 
-/// All seen from the ring's centre, so that what is common to it and the origin is gone first.
+/// Ring about the origin: subtracting the centre first avoids cancellation.
 struct CentredRing {
     using RayForm = FloatRay;
 

@@ -15,10 +15,10 @@ std::string html(const Bars& bars);
 std::string html(const Charts& charts);
 std::string html(const Images& images);
 
-/// The page's CSS, without that of its plots.
+/// Returns the page's CSS, without that of its plots.
 std::string style_sheet();
 
-/// RFC 4648.
+/// Encodes as base64 (RFC 4648).
 std::string base64(std::string_view bytes);
 
 }  // namespace etalon::bench_report

@@ -14,14 +14,14 @@ struct ShippedScene {
     RenderSettings settings;
 };
 
-/// Path of a scene below the project's folder of scenes, which is looked for here and where the
-/// program was built.
+/// Returns the path of a scene below the project's folder of scenes, which is looked for here and
+/// where the program was built.
 std::string shipped_path(const std::string& name);
 
-/// That scene. Nothing, and the reason on standard error, if it cannot be read.
+/// Returns that scene; nothing, after a message on standard error, if it cannot be read.
 std::optional<ShippedScene> shipped_scene(const std::string& name);
 
-/// The same, to be rendered at that size.
+/// Returns the same, to be rendered at that size.
 std::optional<ShippedScene> shipped_scene(const std::string& name, int width, int height);
 
 RunControl control_of(const TaskProgress& task_progress);

@@ -18,10 +18,10 @@ Section frames_section(const Results& results);
 Section spd_section(const Results& results);
 Section machine_section(const Results& results);
 
-/// The numbers to begin with, of what was measured so far.
+/// Returns the key figures of what was measured so far.
 std::vector<KeyFigure> summary(const Results& results);
 
-/// The whole report. A section without figures is not measured yet.
+/// Returns the whole report. A section without figures is not measured yet.
 Page page_of(const Results& results);
 
 }  // namespace etalon::bench_report
