@@ -161,10 +161,11 @@ void EmbreeBuiltin::closest_bounded(const RayQuery& query, const NormalizedRay& 
 }
 
 bool EmbreeBuiltin::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {
-    const float tfar = last_t(local, query.ray.tmax);
-    if (tfar < 0) return false;  // Embree reports a hit by a negative tfar
     RTCRay ray;
-    set_ray(ray, local, first_t(local, query.ray.tmin), tfar);
+    if (!set_occlusion_ray(ray, local, first_t(local, query.ray.tmin),
+                           last_t(local, query.ray.tmax))) {
+        return false;
+    }
     if (others_.empty()) {
         embree_occluded(embree_scene_.get(), ray);
     } else {

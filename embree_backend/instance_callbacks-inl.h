@@ -24,10 +24,10 @@ HWY_INLINE void offer_entered(const UserQuery& query, std::uint32_t item, const 
     if (HWY_UNLIKELY(query.view.entered == nullptr)) {
         return query.view.instances.offer_entered(item, inside, local, nearest);
     }
-    RTCRayHit asked;
-    set_ray(asked.ray, local, local.tmin(inside.ray.tmin), local.tmax(nearest.t));
+    RTCRayHit entered;
+    set_ray(entered.ray, local, local.tmin(inside.ray.tmin), local.tmax(nearest.t));
     NearestHit hit(nearest.t);
-    intersect(query.view.entered[instance.object], inside, local, hit, asked);
+    intersect(query.view.entered[instance.object], inside, local, hit, entered);
     if (hit.found()) nearest.offer(hit.t, item, hit.item);
 }
 
@@ -38,12 +38,13 @@ HWY_INLINE bool entered_occludes(const UserQuery& query, std::uint32_t item,
     if (HWY_UNLIKELY(query.view.entered == nullptr)) {
         return query.view.instances.entered_occludes(item, inside, local);
     }
-    const float tfar = local.tmax(inside.ray.tmax);
-    if (tfar < 0) return false;  // which is how Embree would tell that there is a hit
-    RTCRay asked;
-    set_ray(asked, local, local.tmin(inside.ray.tmin), tfar);
-    occluded(query.view.entered[instance.object], inside, local, asked);
-    return asked.tfar < 0;
+    RTCRay entered;
+    if (!set_occlusion_ray(entered, local, local.tmin(inside.ray.tmin),
+                           local.tmax(inside.ray.tmax))) {
+        return false;
+    }
+    occluded(query.view.entered[instance.object], inside, local, entered);
+    return entered.tfar < 0;
 }
 
 /// Offers `nearest` an instance: most objects that a ray is taken to are passed.

@@ -135,10 +135,10 @@ bool NestedScene::occludes(const RayQuery& query) const {
     }
     const auto local = normalized_ray(space_, query.ray);
     if (!local) return false;
-    const float tfar = local->tmax(query.ray.tmax);
-    if (tfar < 0) return false;  // which is how Embree would tell that there is a hit
     RTCRay ray;
-    set_ray(ray, *local, local->tmin(query.ray.tmin), tfar);
+    if (!set_occlusion_ray(ray, *local, local->tmin(query.ray.tmin), local->tmax(query.ray.tmax))) {
+        return false;
+    }
     primitives_.occluded(query, *local, ray);
     return ray.tfar < 0;
 }

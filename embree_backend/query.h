@@ -20,4 +20,12 @@ inline void set_ray(RTCRay& to, const NormalizedRay& from, float tnear, float tf
     rows[2] = Row{tfar, every_mask, 0, 0};
 }
 
+/// Fills in Embree's ray for an occlusion query. Returns false if it ends before 0, where nothing
+/// is hit: Embree reports a hit by a negative tfar.
+inline bool set_occlusion_ray(RTCRay& to, const NormalizedRay& from, float tnear, float tfar) {
+    if (tfar < 0) return false;
+    set_ray(to, from, tnear, tfar);
+    return true;
+}
+
 }  // namespace etalon

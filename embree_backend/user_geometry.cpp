@@ -29,10 +29,10 @@ void EmbreeUserGeometry::closest_bounded(const RayQuery& query, const Normalized
 }
 
 bool EmbreeUserGeometry::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {
-    const float tfar = local.tmax(query.ray.tmax);
-    if (tfar < 0) return false;  // Embree reports a hit by a negative tfar
     RTCRay ray;
-    set_ray(ray, local, local.tmin(query.ray.tmin), tfar);
+    if (!set_occlusion_ray(ray, local, local.tmin(query.ray.tmin), local.tmax(query.ray.tmax))) {
+        return false;
+    }
     primitives_.occluded(query, local, ray);
     return ray.tfar < 0;
 }
