@@ -141,71 +141,83 @@ int measure_convergence(ConvergenceArguments a) {
     bench::set_width(named.settings, a.width);
     Measured all{a.scene, named.settings.resolution, a.config.seeds};
     if (!a.foreign.empty()) {
-        const std::string fault = measure_foreign_images(a, named.settings, all);
-        write_message(fault.empty() ? "" : fault + "\n");
-        if (!fault.empty()) return exit_unusable;
+        const std::string why = measure_foreign_images(a, named.settings, all);
+        write_message(why.empty() ? "" : why + "\n");
+        if (!why.empty()) return exit_unusable;
     }
     const SignalGuard signals;
-    const std::string fault = measure_integrators(a, named, signals.raised(), all);
-    if (!fault.empty()) return fail(exit_unusable, fault);
+    const std::string why = measure_integrators(a, named, signals.raised(), all);
+    if (!why.empty()) return fail(exit_unusable, why);
     warn_of_replaced_images(a, *named.scene, all);
     all.stopped = signals.signal() != 0;
     if (!write_results(all, a.json, a.csv)) return exit_not_written;
     return all.stopped ? exit_signal + signals.signal() : exit_done;
 }
 
-}  // namespace
-
-Action declare_convergence(Options& options) {
-    auto a = std::make_shared<ConvergenceArguments>();
-    options.add("SCENE", a->scene, "Scene file, or a name of `etalon-bench speed --list`")
+void declare_inputs(Options& options, ConvergenceArguments& a) {
+    options.add("SCENE", a.scene, "Scene file, or a name of `etalon-bench speed --list`")
         .required();
     options
-        .add("--reference", a->reference,
+        .add("--reference", a.reference,
              "Reference image (default: rendered, with 32 times the samples)")
         .value("FILE");
     options
-        .add("--foreign", a->foreign,
+        .add("--foreign", a.foreign,
              "Compare with the images of other programs in this table of tab-separated values; "
              "docs/convergence.md says what it holds. Its reference, or the one beside the scene, "
              "serves without --reference")
         .value("TABLE");
+}
+
+void declare_curves(Options& options, ConvergenceArguments& a) {
     options
-        .add("--samplers", a->config.samplers,
+        .add("--samplers", a.config.samplers,
              "Comma-separated list of samplers, all with the first backend")
         .by_commas()
         .one_of(sampler_names())
         .show_default();
     options
-        .add("--integrators", a->integrators,
+        .add("--integrators", a.integrators,
              "Comma-separated list of integrators, each with curves of its own and, without "
              "--reference, a reference of its own; auto: the scene's")
         .by_commas()
         .one_of(integrator_choices())
         .show_default();
     options
-        .add("--backends", a->config.backends,
+        .add("--backends", a.config.backends,
              "Comma-separated list of backends; those after the first only with "
              "the last sampler")
         .by_commas()
         .one_of(backend_names())
         .show_default();
-    options.add("--spp", a->config.samples, "Number of samples per pixel at the end of a curve")
+    options.add("--spp", a.config.samples, "Number of samples per pixel at the end of a curve")
         .within(4, 1 << 16)
         .show_default();
-    options.add("--seeds", a->config.seeds, "Number of images, of different seeds, for each curve")
+    options.add("--seeds", a.config.seeds, "Number of images, of different seeds, for each curve")
         .within(1, 1000)
         .show_default();
     options
-        .add("--width", a->width,
+        .add("--width", a.width,
              "Width of the image in pixels; its height follows (default: the scene's)")
         .within(1, max_image_side);
-    options.add("--json", a->json, "Write the results to this JSON file; - is standard output")
+}
+
+void declare_outputs(Options& options, ConvergenceArguments& a) {
+    options.add("--json", a.json, "Write the results to this JSON file; - is standard output")
         .value("FILE");
     options
-        .add("--csv", a->csv,
+        .add("--csv", a.csv,
              "Write the points of all curves to this CSV file; - is standard output")
         .value("FILE");
+}
+
+}  // namespace
+
+Action declare_convergence(Options& options) {
+    auto a = std::make_shared<ConvergenceArguments>();
+    declare_inputs(options, *a);
+    declare_curves(options, *a);
+    declare_outputs(options, *a);
     return [a] { return measure_convergence(*a); };
 }
 

@@ -124,19 +124,20 @@ class Report {
 int write_report(const ReportArguments& a) {
     Settings settings = a.quick ? quick_settings() : full_settings();
     settings.folder = a.folder;
-    if (const std::string complaint = add_frames(a.scenes, settings); !complaint.empty()) {
-        print_message("etalon-bench: error: {}\n", complaint);
+    std::string error = add_frames(a.scenes, settings);
+    if (!error.empty()) {
+        print_message("etalon-bench: error: {}\n", error);
         return exit_unusable;
     }
-    const std::string fault = a.foreign.empty() ? "" : add_foreign(a.foreign, settings);
-    if (!fault.empty()) {
-        print_message("{}\n", fault);
+    if (!a.foreign.empty()) error = add_foreign(a.foreign, settings);
+    if (!error.empty()) {
+        print_message("{}\n", error);
         return exit_unusable;
     }
-    std::error_code error;
-    std::filesystem::create_directories(a.folder, error);
-    if (error) {
-        print_message("etalon-bench: error: {}: {}\n", a.folder, error.message());
+    std::error_code failure;
+    std::filesystem::create_directories(a.folder, failure);
+    if (failure) {
+        print_message("etalon-bench: error: {}: {}\n", a.folder, failure.message());
         return exit_not_written;
     }
     return Report(settings).run();
