@@ -1,8 +1,8 @@
 #include "bench/hard_cases/random_scene.h"
 
 #include "bench/hard_cases/add_face.h"
+#include "bench/hard_cases/random_shapes.h"
 #include "bench/hard_cases/ray_targets.h"
-#include "core/scene/profiles.h"
 #include "core/scene/quadric_form.h"
 
 namespace etalon::hard {
@@ -55,29 +55,6 @@ Affine any_map(const Vec3& place, double size, Random& random) {
     return {x, y, size * random.in_cube(), place};
 }
 
-/// Returns a random partial surface of revolution.
-Revolved any_revolved(const Affine& map, Random& random) {
-    const std::array profiles = {profiles::sphere(random.uniform(-1, 0), random.uniform(0.25, 1)),
-                                 profiles::cylinder(),
-                                 profiles::cone(),
-                                 profiles::paraboloid(random.uniform(0, 0.5)),
-                                 profiles::hyperboloid(random.uniform(0, 0.5), 0.5, -1, 1),
-                                 profiles::disk(random.uniform(0, 0.5))};
-    const double degrees = random.index(2) == 0 ? 360 : random.uniform(30, 360);
-    return {map, profiles[random.index(profiles.size())], Sector(degrees)};
-}
-
-/// Adds a segment of a curve of a random type.
-void add_curve(Scene& scene, const Affine& map, Sides sides, Random& random) {
-    BezierCurve c{};
-    for (Vec3f& p : c.points) p = Vec3f(random.in_cube());
-    for (float& width : c.widths) width = static_cast<float>(random.uniform(0.02, 0.3));
-    for (Vec3f& n : c.normals) n = Vec3f(random.direction());
-    c.type = static_cast<CurveType>(random.index(3));
-    const auto number = static_cast<std::uint32_t>(random.index(4));
-    scene.geometry.add(Curve(c, map, {number, 4}), 0, sides);
-}
-
 /// Adds a shape of a kind: a new shape needs a line here.
 template <class Shape>
 void add_shape(Scene& scene, double size, Sides sides, Random& random) {
@@ -98,11 +75,11 @@ void add_shape(Scene& scene, double size, Sides sides, Random& random) {
     } else if constexpr (std::is_same_v<Shape, Ring>) {
         add_ring(scene, place, size, sides, random);
     } else if constexpr (std::is_same_v<Shape, Revolved>) {
-        scene.geometry.add(any_revolved(any_map(place, size, random), random), 0, sides);
+        scene.geometry.add(random_revolved(any_map(place, size, random), random), 0, sides);
     } else if constexpr (std::is_same_v<Shape, Quadric>) {
         add_quadric(scene, place, size, sides, random);
     } else if constexpr (std::is_same_v<Shape, Curve>) {
-        add_curve(scene, any_map(place, size, random), sides, random);
+        scene.geometry.add(random_curve(any_map(place, size, random), random), 0, sides);
     } else {
         static_assert(std::is_same_v<Shape, Ellipsoid> || std::is_same_v<Shape, ClosedCylinder>);
         scene.geometry.add(Shape(any_map(place, size, random)), 0, sides);

@@ -2,8 +2,8 @@
 
 #include <numbers>
 
+#include "bench/hard_cases/random_shapes.h"
 #include "core/numerics/random.h"
-#include "core/scene/profiles.h"
 #include "core/scene/quadric_form.h"
 #include "tests/catch.h"
 
@@ -51,29 +51,6 @@ Affine any_map(const Vec3& place, double size, Random& random) {
     return {x, y, random.in_cube(size), place};
 }
 
-/// Returns a random partial surface of revolution.
-Revolved any_revolved(const Affine& map, Random& random) {
-    const std::array profiles = {profiles::sphere(random.uniform(-1, 0), random.uniform(0.25, 1)),
-                                 profiles::cylinder(),
-                                 profiles::cone(),
-                                 profiles::paraboloid(random.uniform(0, 0.5)),
-                                 profiles::hyperboloid(random.uniform(0, 0.5), 0.5, -1, 1),
-                                 profiles::disk(random.uniform(0, 0.5))};
-    const double degrees = random.index(2) == 0 ? 360 : random.uniform(30, 360);
-    return {map, profiles[random.index(profiles.size())], Sector(degrees)};
-}
-
-/// Adds a segment of a curve of a random type.
-void add_curve(Scene& scene, Random& random, const Affine& map, Sides sides) {
-    BezierCurve c{};
-    for (Vec3f& p : c.points) p = Vec3f(random.in_cube());
-    for (float& width : c.widths) width = static_cast<float>(random.uniform(0.02, 0.3));
-    for (Vec3f& n : c.normals) n = Vec3f(random.direction());
-    c.type = static_cast<CurveType>(random.index(3));
-    const auto number = static_cast<std::uint32_t>(random.index(4));
-    scene.geometry.add(Curve(c, map, {number, 4}), 0, sides);
-}
-
 /// Adds a random shape of one kind.
 template <class Shape>
 void add_shape(Scene& scene, Random& random, double size, Sides sides) {
@@ -101,9 +78,9 @@ void add_shape(Scene& scene, Random& random, double size, Sides sides) {
     } else if constexpr (std::is_same_v<Shape, ClosedCylinder>) {
         scene.geometry.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
     } else if constexpr (std::is_same_v<Shape, Revolved>) {
-        scene.geometry.add(any_revolved(any_map(place, size, random), random), 0, sides);
+        scene.geometry.add(hard::random_revolved(any_map(place, size, random), random), 0, sides);
     } else if constexpr (std::is_same_v<Shape, Curve>) {
-        add_curve(scene, random, any_map(place, size, random), sides);
+        scene.geometry.add(hard::random_curve(any_map(place, size, random), random), 0, sides);
     } else {
         static_assert(std::is_same_v<Shape, Cone>);
         scene.geometry.add(Cone{place, place + random.in_cube(size), size * random.uniform(0, 0.5),
@@ -131,7 +108,7 @@ Scene only(std::size_t count) {
     return scene;
 }
 
-/// Only one in fifty is a plane, since planes hide the rest.
+/// Only one in a hundred is a plane, since planes hide the rest.
 ShapeKind any_kind(Random& random) {
     const auto kind = static_cast<ShapeKind>(random.index(shape_kinds));
     const bool keep = kind != kind_of<Plane>() || random.one_in(8);
