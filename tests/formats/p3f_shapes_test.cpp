@@ -22,7 +22,7 @@ struct OnlyObject {
 };
 
 /// Returns the message about an object that is left out, which must be at line 2, column 1.
-std::string complaint(const std::string& text) {
+std::string warning_of(const std::string& text) {
     const LoadResult r = load_objects(text + "\ns 0 0 0 1");
     CAPTURE(text);
     REQUIRE(r.diagnostics.size() == 1);
@@ -50,7 +50,7 @@ TEST_CASE("a sphere of negative radius shows only its inside") {
 }
 
 TEST_CASE("a sphere of radius 0 is left out") {
-    CHECK(complaint("s 1 2 3 0") == "'s' left out: its radius is 0");
+    CHECK(warning_of("s 1 2 3 0") == "'s' left out: its radius is 0");
 }
 
 TEST_CASE("a box is read") {
@@ -71,7 +71,7 @@ TEST_CASE("a box with its corners exchanged is put right") {
 }
 
 TEST_CASE("a box without area is left out") {
-    CHECK(complaint("box 0 0 0 1 0 0") == "'box' left out: it has no area");
+    CHECK(warning_of("box 0 0 0 1 0 0") == "'box' left out: it has no area");
 }
 
 TEST_CASE("a plane through three points faces where they run counter-clockwise") {
@@ -104,9 +104,9 @@ TEST_CASE("a plane's normal does not depend on a power of two in the scene's sca
 }
 
 TEST_CASE("a plane whose points span none is left out") {
-    CHECK(complaint("pl 0 0 0 1 1 1 2 2 2") == "'pl' left out: its points span no plane");
-    CHECK(complaint("pl 1 1 1 1 1 1 2 5 2") == "'pl' left out: its points span no plane");
-    CHECK(complaint("pl 1e308 0 0 -1e308 0 0 0 1 0") == "'pl' left out: its points span no plane");
+    CHECK(warning_of("pl 0 0 0 1 1 1 2 2 2") == "'pl' left out: its points span no plane");
+    CHECK(warning_of("pl 1 1 1 1 1 1 2 5 2") == "'pl' left out: its points span no plane");
+    CHECK(warning_of("pl 1e308 0 0 -1e308 0 0 0 1 0") == "'pl' left out: its points span no plane");
 }
 
 TEST_CASE("a plane in Hessian form holds the points with N.p + D = 0") {
@@ -123,8 +123,8 @@ TEST_CASE("a plane in Hessian form holds the points with N.p + D = 0") {
 }
 
 TEST_CASE("a plane in Hessian form that is none is left out") {
-    CHECK(complaint("npl 0 0 0 1") == "'npl' left out: its normal is zero");
-    CHECK(complaint("npl 1e-300 0 0 1e300") == "'npl' left out: its position is not finite");
+    CHECK(warning_of("npl 0 0 0 1") == "'npl' left out: its normal is zero");
+    CHECK(warning_of("npl 1e-300 0 0 1e300") == "'npl' left out: its position is not finite");
 }
 
 TEST_CASE("a cone is two circles about an axis") {
@@ -148,8 +148,8 @@ TEST_CASE("a cone of negative radii shows only its inside") {
 }
 
 TEST_CASE("a cone that cannot be seen is left out") {
-    CHECK(complaint("c 0 0 0 1 0 0 0 1") == "'c' left out: its base and its apex are one point");
-    CHECK(complaint("c 0 0 0 0 0 0 1 0") == "'c' left out: both its radii are 0");
-    CHECK(complaint("c 0 0 0 1 0 0 1 -1") == "'c' left out: only one of its radii is negative");
-    CHECK(complaint("c 0 0 0 -1 0 0 1 1") == "'c' left out: only one of its radii is negative");
+    CHECK(warning_of("c 0 0 0 1 0 0 0 1") == "'c' left out: its base and its apex are one point");
+    CHECK(warning_of("c 0 0 0 0 0 0 1 0") == "'c' left out: both its radii are 0");
+    CHECK(warning_of("c 0 0 0 1 0 0 1 -1") == "'c' left out: only one of its radii is negative");
+    CHECK(warning_of("c 0 0 0 -1 0 0 1 1") == "'c' left out: only one of its radii is negative");
 }

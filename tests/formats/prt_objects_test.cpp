@@ -15,7 +15,7 @@ Material material_of(const std::string& statement) {
 }
 
 /// Returns the message about an object in line 7, which is left out.
-std::string complaint(const std::string& text) {
+std::string warning_of(const std::string& text) {
     const LoadResult r = load_prt_text(red + text);
     CAPTURE(text);
     REQUIRE(r.diagnostics.size() == 1);
@@ -75,7 +75,7 @@ TEST_CASE("PRT spheres, cones and polygons are read") {
     CHECK(r.scene->geometry.all<Cone>()[0].top_radius == 0.25);
     CHECK(r.scene->geometry.all<Polygon>()[0].corners.size() == 4);
     CHECK(r.scene->geometry.all<Triangle>().size() == 1);
-    CHECK(complaint("polygon 2 0 0 0 1 0 0") ==
+    CHECK(warning_of("polygon 2 0 0 0 1 0 0") ==
           "'polygon' left out: 2 corners, expected at least 3");
 }
 
@@ -112,10 +112,10 @@ TEST_CASE("an hsphere as thick as its radius is a sphere") {
 TEST_CASE("an hsphere that cannot be is left out") {
     const std::string thickness =
         "'hsphere' left out: its thickness is not more than 0 and at most its radius";
-    CHECK(complaint("hsphere 1 2 3 .5 0") == thickness);
-    CHECK(complaint("hsphere 1 2 3 .5 -.1") == thickness);
-    CHECK(complaint("hsphere 1 2 3 .5 .6") == thickness);
-    CHECK(complaint("hsphere 1 2 3 -1 .5") == "'hsphere' left out: its radius is not more than 0");
+    CHECK(warning_of("hsphere 1 2 3 .5 0") == thickness);
+    CHECK(warning_of("hsphere 1 2 3 .5 -.1") == thickness);
+    CHECK(warning_of("hsphere 1 2 3 .5 .6") == thickness);
+    CHECK(warning_of("hsphere 1 2 3 -1 .5") == "'hsphere' left out: its radius is not more than 0");
 }
 
 TEST_CASE("a ring has its outer radius first, then its inner one") {
@@ -132,13 +132,13 @@ TEST_CASE("a ring has its outer radius first, then its inner one") {
 }
 
 TEST_CASE("a ring that cannot be is left out") {
-    CHECK(complaint("ring 0 0 0 1 0 0 0 1 0 1 2") ==
+    CHECK(warning_of("ring 0 0 0 1 0 0 0 1 0 1 2") ==
           "'ring' left out: its inner radius, the second, is not between 0 and the outer one");
-    CHECK(complaint("ring 0 0 0 1 0 0 0 1 0 1 -1") ==
+    CHECK(warning_of("ring 0 0 0 1 0 0 0 1 0 1 -1") ==
           "'ring' left out: its inner radius, the second, is not between 0 and the outer one");
-    CHECK(complaint("ring 0 0 0 1 0 0 0 1 0 0 0") ==
+    CHECK(warning_of("ring 0 0 0 1 0 0 0 1 0 0 0") ==
           "'ring' left out: its outer radius is not more than 0");
-    CHECK(complaint("ring 0 0 0 1 0 0 2 0 0 2 1") == "'ring' left out: its points span no plane");
+    CHECK(warning_of("ring 0 0 0 1 0 0 2 0 0 2 1") == "'ring' left out: its points span no plane");
 }
 
 TEST_CASE("a quadric has its ten coefficients row by row, in a box of the world") {
@@ -154,7 +154,7 @@ TEST_CASE("a quadric has its ten coefficients row by row, in a box of the world"
 }
 
 TEST_CASE("a quadric of no extent is left out, one in an upturned box put right") {
-    CHECK(complaint("quadric 0 0 0 -1 -1 -1 1 1 1 0 0 0 0 0 0 0 0 0 7") ==
+    CHECK(warning_of("quadric 0 0 0 -1 -1 -1 1 1 1 0 0 0 0 0 0 0 0 0 7") ==
           "'quadric' left out: its coefficients are all 0");
     const LoadResult r = load_prt_text(red + "quadric 0 0 0 1 -1 1 -1 1 -1 1 0 0 0 1 0 0 1 0 -1");
     CHECK(messages(r) == Messages{"a.prt:7:1: warning: the corners of the box are not the lower "

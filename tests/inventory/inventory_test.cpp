@@ -30,15 +30,15 @@ std::string given(std::string_view name, ValueType type, std::string_view value)
     return fmt::format(" \"{} {}\" [ {}{}{} ]", to_string(type), name, quote, value, quote);
 }
 
-using Picture = std::vector<Color>;
+using Pixels = std::vector<Color>;
 
 /// Renders scenes in a folder with the files that they name.
-class Studio {
+class SceneRenderer {
   public:
-    Studio() { write_files(folder_ / ""); }
+    SceneRenderer() { write_files(folder_ / ""); }
 
-    Picture picture(const PluginType& plugin, const std::string& parameters,
-                    const std::string& textures = {}) const {
+    Pixels render(const PluginType& plugin, const std::string& parameters,
+                  const std::string& textures = {}) const {
         const std::string text = world_with(plugin, parameters, textures);
         LoadResult loaded = load_scene_text(text, folder_ / "scene.pbrt");
         INFO(text);
@@ -57,19 +57,19 @@ class Studio {
     TemporaryFolder folder_;
 };
 
-bool is_same(const Picture& a, const Picture& b) {
+bool is_same(const Pixels& a, const Pixels& b) {
     return a == b;
 }
 
 /// A row with its parameter.
 struct Change {
-    const Studio& studio;
+    const SceneRenderer& renderer;
     const PluginType& plugin;
     const ParameterSpec& spec;
     const Row& row;
 
-    Picture with(std::string_view name, ValueType type, std::string_view value) const {
-        return studio.picture(plugin, std::string(row.with) + given(name, type, value));
+    Pixels with(std::string_view name, ValueType type, std::string_view value) const {
+        return renderer.render(plugin, std::string(row.with) + given(name, type, value));
     }
     /// Returns whether the first image has a value of its own.
     bool is_given_before() const {
@@ -77,35 +77,35 @@ struct Change {
             row.with.find(fmt::format(" {}\"", spec.name)) != std::string_view::npos;
         return is_among_others || !row.other.empty();
     }
-    Picture before() const {
-        return row.other.empty() ? studio.picture(plugin, std::string(row.with))
+    Pixels before() const {
+        return row.other.empty() ? renderer.render(plugin, std::string(row.with))
                                  : with(spec.name, spec.type, row.other);
     }
-    Picture after() const { return with(spec.name, spec.type, row.value); }
+    Pixels after() const { return with(spec.name, spec.type, row.value); }
 
     /// With a texture in place of the value.
-    Picture textured(const std::string& texture) const {
+    Pixels textured(const std::string& texture) const {
         const bool is_number = spec.type == ValueType::number;
-        return studio.picture(
+        return renderer.render(
             plugin, std::string(row.with) + given(spec.name, spec.type, "@made"),
             fmt::format("Texture \"made\" \"{}\" {}\n", is_number ? "float" : "spectrum", texture));
     }
 };
 
 /// Checks that a texture has an effect, and that one that is not constant has another.
-void check_textures(const Change& c, const Picture& before, const Picture& after) {
-    const Picture even = c.textured("\"constant\"" + given("value", c.spec.type, c.row.value));
+void check_textures(const Change& c, const Pixels& before, const Pixels& after) {
+    const Pixels even = c.textured("\"constant\"" + given("value", c.spec.type, c.row.value));
     CHECK_FALSE(is_same(even, before));
     const bool is_number = c.spec.type == ValueType::number;
-    const Picture uneven = c.textured("\"checkerboard\" \"float uscale\" 7 \"float vscale\" 5" +
-                                      given("tex1", c.spec.type, c.row.value) +
-                                      given("tex2", c.spec.type, is_number ? "1" : "0.6 0.7 1"));
+    const Pixels uneven = c.textured("\"checkerboard\" \"float uscale\" 7 \"float vscale\" 5" +
+                                     given("tex1", c.spec.type, c.row.value) +
+                                     given("tex2", c.spec.type, is_number ? "1" : "0.6 0.7 1"));
     CHECK_FALSE(is_same(uneven, before));
     CHECK_FALSE(is_same(uneven, after));
 }
 
 void check(const Change& c) {
-    const Picture before = c.before(), after = c.after();
+    const Pixels before = c.before(), after = c.after();
     if (!c.row.no_effect.empty()) {
         CHECK(is_same(before, after));
         return;
@@ -129,14 +129,14 @@ void check(const Change& c) {
 }  // namespace
 
 TEST_CASE("every parameter of every plugin changes the image, or it is said why not") {
-    const Studio studio;
+    const SceneRenderer renderer;
     for (std::size_t c = 0; c < pbrt::category_count; ++c) {
         for (const PluginType& plugin : plugin_types(static_cast<Category>(c))) {
             for (const ParameterSpec& spec : plugin.parameters) {
                 CAPTURE(to_string(plugin.category), plugin.name, spec.name);
                 const Row* row = find_row(plugin, spec.name);
                 CHECK(row != nullptr);
-                if (row) check({studio, plugin, spec, *row});
+                if (row) check({renderer, plugin, spec, *row});
             }
         }
     }

@@ -47,7 +47,7 @@ class MeshReader {
                 return std::nullopt;
             }
             if (!read_element(element)) {
-                log_.error(in_.offset(), "syntax", "{} amid the elements {}", in_.complaint(),
+                log_.error(in_.offset(), "syntax", "{} amid the elements {}", in_.error(),
                            in_quotes(element.name));
                 return std::nullopt;
             }

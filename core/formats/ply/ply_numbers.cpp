@@ -34,7 +34,7 @@ bool AsciiNumbers::read(Type, double& value) {
     return true;
 }
 
-std::string AsciiNumbers::complaint() const {
+std::string AsciiNumbers::error() const {
     return next_ == last_ ? "the file ends" : "expected a number, found " + in_quotes(word());
 }
 

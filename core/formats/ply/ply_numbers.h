@@ -100,9 +100,9 @@ class BinaryNumbers {
     const char* last() const { return last_; }
     std::size_t remaining() const { return static_cast<std::size_t>(last_ - next_); }
 
-    /// Place of the next number, and the error where read() or skip() failed.
+    /// Return the offset of the next number, and the error where read() or skip() failed.
     std::size_t offset() const { return DiagnosticLog::whole_file; }
-    std::string complaint() const { return "the file ends"; }
+    std::string error() const { return "the file ends"; }
 
   private:
     const char *file_, *next_, *last_;
@@ -135,7 +135,7 @@ class AsciiNumbers {
 
     std::size_t remaining() const { return static_cast<std::size_t>(last_ - next_); }
     std::size_t offset() const { return static_cast<std::size_t>(next_ - file_); }
-    std::string complaint() const;
+    std::string error() const;
 
   private:
     static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
