@@ -3,6 +3,7 @@
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/memory_limit.h"
 #include "app/common/output.h"
 #include "app/compare/image_pair.h"
 #include "app/compare/limit.h"
@@ -72,6 +73,7 @@ int check_limits(const Arguments& a, const Metrics& metrics) {
 }
 
 int run(const Arguments& a) {
+    limit_memory(0);
     if (const auto [error, status] = check_outputs({a.json, a.heatmap}, {a.a, a.b}); !error.empty())
         return fail(status, error);
     const Result<ImagePair> images = read_image_pair(a.a, a.b);

@@ -6,6 +6,7 @@
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/memory_limit.h"
 #include "app/common/output.h"
 #include "app/merge/merged_films.h"
 #include "app/part/image_identity.h"
@@ -136,6 +137,7 @@ void warn_of_stopped(const MergedFilms& merged) {
 }
 
 int run(const Arguments& a) {
+    limit_memory(0);
     if (const std::string error = check_writable(a.output); !error.empty()) {
         return fail(exit_not_written, error);
     }

@@ -8,6 +8,7 @@
 #include "app/part/image_identity.h"
 #include "core/base/hash64.h"
 #include "core/image/exr.h"
+#include "core/render/image_film.h"
 
 namespace etalon {
 namespace {
@@ -54,15 +55,13 @@ FilmAppendix from_json(const Json& json) {
 
 constexpr int most_pixels_of_side = 65536;
 
-/// Returns whether a film of so many bytes may be that of an image of a size: a pixel has sums and
-/// a number of samples.
-bool is_possible(const StoredFilm& film, const Imath::V2i& size) {
-    const Imath::V2i &min = film.window.min, &max = film.window.max;
+/// Returns whether a film of so many bytes may be that of an image: whether there are as many as
+/// it takes to store one.
+bool is_possible(const StoredFilm& film, const RenderSettings& settings) {
+    const Imath::V2i &min = film.window.min, &max = film.window.max, &size = settings.resolution;
     const bool is_inside = 0 <= min.x && min.x <= max.x && max.x < size.x && 0 <= min.y &&
                            min.y <= max.y && max.y < size.y;
-    if (!is_inside) return false;
-    const std::uint64_t pixels = std::uint64_t(max.x - min.x + 1) * (max.y - min.y + 1);
-    return pixels <= film.bytes / (sizeof(Vec3) + sizeof(std::uint32_t));
+    return is_inside && ImageFilm::least_bytes(film.window, settings) <= film.bytes;
 }
 
 /// Returns whether an image may have these metadata: whether a pixel that has them can be encoded.
@@ -84,7 +83,7 @@ bool is_possible(const FilmAppendix& appendix, std::uint64_t bytes) {
     if (!is_possible_metadata(appendix.metadata)) return false;
     std::uint64_t left = bytes;
     for (const StoredFilm& film : appendix.films) {
-        if (!is_possible(film, size) || film.bytes > left) return false;
+        if (!is_possible(film, settings) || film.bytes > left) return false;
         left -= film.bytes;
     }
     return true;

@@ -93,4 +93,13 @@ double ImageFilm::bytes_per_pixel(const RenderSettings& settings) {
            SplatFilm::bytes_per_pixel(cell_side(settings), settings.filter);
 }
 
+std::uint64_t ImageFilm::least_bytes(const Imath::Box2i& window, const RenderSettings& settings) {
+    const Imath::Box2i sampled = sampled_window(window, settings.filter);
+    const Imath::V2i size = sampled.max - sampled.min + Imath::V2i(1);
+    const std::uint64_t pixels = static_cast<std::uint64_t>(size.x) * size.y;
+    const std::uint64_t own = pixels * (sizeof(Vec3) + sizeof(std::uint32_t));
+    if (settings.filter.is_pixel_box()) return own;
+    return own + SplatFilm::bytes_of(sampled, cell_side(settings), settings.filter);
+}
+
 }  // namespace etalon

@@ -66,6 +66,10 @@ class ImageFilm {
     /// Returns the bytes of memory for each pixel.
     static double bytes_per_pixel(const RenderSettings& settings);
 
+    /// Returns a number of bytes that transfer() writes at least of a film with these arguments;
+    /// the memory that such a film takes at first does not exceed it by much.
+    static std::uint64_t least_bytes(const Imath::Box2i& window, const RenderSettings& settings);
+
   private:
     /// Converts a colour to what is added to the film. Returns whether it was finite.
     bool prepare(Color& sample) const;

@@ -82,6 +82,18 @@ std::size_t SplatFilm::cell_of(const Imath::V2i& pixel) const {
     return static_cast<std::size_t>(offset.y / side_) * cells_.x + offset.x / side_;
 }
 
+std::uint64_t SplatFilm::bytes_of(const Imath::Box2i& window, int cell_side,
+                                  const PixelFilter& filter) {
+    const Imath::V2i block = block_size(cell_side, {filter, 0}, {filter, 1});
+    std::uint64_t pixels = 1;
+    for (int k = 0; k < 2; ++k) {
+        const int corner = aligned(window.min[k], cell_side);
+        pixels *= static_cast<std::uint64_t>(divided_up(window.max[k] + 1 - corner, cell_side)) *
+                  block[k];
+    }
+    return pixels * sizeof(Splat) * (cell_side > 1 ? 2 : 1);  // sums and their errors
+}
+
 /// Distances are measured from the cell's corner, so that all are rounded alike and stay within the
 /// block. The sums of a row are adjacent, so that several are added to at a time.
 void SplatFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& sample,

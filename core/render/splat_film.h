@@ -45,6 +45,10 @@ class SplatFilm {
     /// Returns the bytes of memory for each pixel.
     static double bytes_per_pixel(int cell_side, const PixelFilter& filter);
 
+    /// Returns the bytes of memory of the sums of a film with these arguments.
+    static std::uint64_t bytes_of(const Imath::Box2i& window, int cell_side,
+                                  const PixelFilter& filter);
+
     template <class Bytes>
     void transfer(Bytes& bytes) {
         bytes(splats_);

@@ -69,6 +69,27 @@ TEST_CASE("What no image could have left behind is refused, though its hash fits
     CHECK(changed([](FilmAppendix& a) { a.films[0].bytes = std::uint64_t{1} << 60; }) == damaged);
 }
 
+TEST_CASE("A film takes no more bytes in memory than a few times those in the file", "[app]") {
+    RenderSettings settings;
+    settings.filter.kind = FilterKind::gaussian;
+    for (const double radius : {1.0, 2.5, max_filter_radius}) {
+        settings.filter.radius = {radius, 1.5};
+        const Imath::Box2i window{{13, 2}, {40, 31}};
+        const std::size_t bytes = film_bytes(ImageFilm(window, settings)).size();
+        const std::uint64_t least = ImageFilm::least_bytes(window, settings);
+        CHECK(least <= bytes);
+        CHECK(least > bytes - 100);  // the lengths of arrays
+    }
+    const test::TemporaryFolder folder;
+    FilmAppendix wide = good_appendix();
+    wide.identity["filter"] = Json::array({"gaussian", {max_filter_radius, max_filter_radius}, 2});
+    const std::string film(std::size_t{1000}, '\0');
+    wide.films[0].bytes = film.size();
+    test::put(folder / "part.exr", film_appendix(wide, film));
+    CHECK_THAT(AppendixReader().open(folder / "part.exr").error,
+               ContainsSubstring("the sums behind the image are damaged"));
+}
+
 TEST_CASE("A reason to stop that is no text is none", "[app]") {
     FilmAppendix appendix = good_appendix();
     appendix.metadata["stopped"] = 7;
