@@ -24,7 +24,39 @@ void check_provenance(const json& j, const std::string& command) {
     CHECK_FALSE(j["machine"]["isa"].get<std::string>().empty());
 }
 
+/// Finds the commit of a folder as the build does, and lists what it depends on in "depends".
+std::string commit_of(const Folder& f, const std::string& folder) {
+    const auto r = f.shell("cmake -DSOURCE=\"$PWD/" + folder +
+                           "\" -DOUTPUT=commit -DDEPFILE=depends -P '" ETALON_SOURCE_DIR
+                           "/cmake/EtalonCommit.cmake'");
+    REQUIRE(r.status == 0);
+    const std::string text = f.read("commit");
+    const std::size_t begin = text.find('"') + 1;
+    return text.substr(begin, text.find('"', begin) - begin);
+}
+
 }  // namespace
+
+TEST_CASE("The commit is that of the tree's own repository, and says what differs",
+          "[app][needs_git]") {
+    const Folder f;
+    SKIP_UNLESS(f.shell("git --version").status == 0, "git is not installed");
+    const auto made = f.shell(
+        "mkdir -p tree/tarball && cd tree && git init -q && echo 1 >'a b' && echo 1 >tarball/c && "
+        "git add . && git -c user.name=a -c user.email=a@b.c commit -qm 1 && "
+        "git worktree add -q ../other");
+    REQUIRE(made.status == 0);
+    const std::string commit = commit_of(f, "tree");
+    CHECK(commit.size() == 12);
+    CHECK_THAT(f.read("depends"), ContainsSubstring("/tree/a\\ b"));
+    CHECK_THAT(f.read("depends"), ContainsSubstring("/tree/.git/HEAD"));
+    CHECK(commit_of(f, "other") == commit);
+    CHECK_THAT(f.read("depends"), ContainsSubstring("/tree/.git/worktrees/other/HEAD"));
+    CHECK(commit_of(f, "tree/tarball") == "unknown");
+    f.write("tree/a b", "22");
+    CHECK(commit_of(f, "tree") == commit + "-dirty");
+    CHECK(commit_of(f, "other") == commit);
+}
 
 TEST_CASE("the same render twice gives equal files", "[app]") {
     const Folder f;
