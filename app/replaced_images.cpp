@@ -17,13 +17,6 @@ bool is_tolerable(std::string_view problem, const SceneArguments& arguments) {
 
 }  // namespace
 
-std::string intolerable_problem(const SceneArguments& arguments,
-                                const std::vector<std::string>& problems) {
-    const auto found = std::ranges::find_if_not(
-        problems, [&](const std::string& p) { return is_tolerable(p, arguments); });
-    return found == problems.end() ? "" : *found;
-}
-
 bool tolerates(const Scene& scene, const SceneArguments& arguments,
                const std::vector<std::string>& problems) {
     for (auto problem = problems.begin(); problem != problems.end(); ++problem) {

@@ -12,10 +12,6 @@ namespace etalon {
 bool tolerates(const Scene& scene, const SceneArguments& arguments,
                const std::vector<std::string>& problems);
 
-/// Returns the first of such reasons that is an error, without a message; empty if none is.
-std::string intolerable_problem(const SceneArguments& arguments,
-                                const std::vector<std::string>& problems);
-
 /// Adds the holes of alpha textures to a scene's geometry (see core/shading/textured_cut_outs.h)
 /// and warns of their images that cannot be read; returns false if that is an error.
 bool make_cut_outs(Scene& scene, const SceneArguments& arguments);

@@ -100,6 +100,9 @@ void RankDealer::handle(int from, std::string_view message) {
         case MessageKind::failure:
             fail(fmt::format("rank {} has failed: {}", from, content));
             break;
+        case MessageKind::problem:
+            problems_.emplace_back(content);
+            break;
         default:
             read_results(from, content);
     }
@@ -168,6 +171,11 @@ void RankDealer::fail(const std::string& why) {
 std::string RankDealer::error() const {
     const std::lock_guard lock(mutex_);
     return error_;
+}
+
+std::vector<std::string> RankDealer::problems() const {
+    const std::lock_guard lock(mutex_);
+    return problems_;
 }
 
 nlohmann::ordered_json RankDealer::stats() const {

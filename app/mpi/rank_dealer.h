@@ -32,6 +32,9 @@ class RankDealer : public TileDealer {
     /// Returns why rendering had to stop, or an empty string.
     std::string error() const;
 
+    /// Returns why other ranks have replaced images.
+    std::vector<std::string> problems() const;
+
     /// Returns the numbers of processes and messages, for --stats.
     nlohmann::ordered_json stats() const;
 
@@ -64,6 +67,7 @@ class RankDealer : public TileDealer {
     std::size_t all_threads_ = 0;
     std::vector<Worker> workers_;  ///< by rank
     std::string error_;
+    std::vector<std::string> problems_;
     std::atomic<std::size_t> next_ = 0;  ///< index of the next tile in the pass
     std::atomic<std::size_t> rendered_here_ = 0;
     std::atomic<bool> has_failed_ = false;

@@ -66,6 +66,11 @@ std::string SceneCopy::place_of(const std::string& path) const {
     return root_.string() + fs::absolute(path).lexically_normal().string();
 }
 
+std::string SceneCopy::original(const std::string& text) const {
+    const std::string root = root_.string();
+    return !root.empty() && text.starts_with(root) ? text.substr(root.size()) : text;
+}
+
 std::string SceneCopy::receive(Ranks& ranks) {
     std::string folder = fs::temp_directory_path() / "etalon-scene-XXXXXX";
     if (!::mkdtemp(folder.data())) return folder + ": cannot be made, to hold the scene";

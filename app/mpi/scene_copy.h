@@ -33,6 +33,9 @@ class SceneCopy {
     /// Returns the path of the copy of a file; "-" is rank 0's standard input.
     std::string place_of(const std::string& path) const;
 
+    /// Returns a text that begins with the path of a copy, with that of the file; others unchanged.
+    std::string original(const std::string& text) const;
+
   private:
     void handle(Ranks& ranks, std::string_view message);
     void append(std::string_view content);

@@ -13,6 +13,7 @@ namespace etalon {
 enum class MessageKind : char {
     ready,     ///< to rank 0: the number of threads, and the image's identity as JSON
     failure,   ///< to rank 0: why the sender cannot work
+    problem,   ///< to rank 0: why an image was replaced, in tiles whose results follow
     tasks,     ///< from rank 0: tiles to render
     results,   ///< to rank 0: tiles rendered
     end,       ///< from rank 0: there is no more work

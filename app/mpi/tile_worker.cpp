@@ -1,7 +1,10 @@
 #include "app/mpi/tile_worker.h"
 
+#include <algorithm>
+
 #include "app/mpi/polling_thread.h"
 #include "app/mpi/tile_message.h"
+#include "core/image/lack_of_memory.h"
 #include "core/parallel/all_threads.h"
 
 namespace etalon {
@@ -18,20 +21,24 @@ void TileWorker::run(const TileTask& task, const nlohmann::ordered_json& identit
 /// Goes on after a failure, which rank 0 answers by ending the work.
 void TileWorker::render_tiles(const TileTask& task) {
     while (const std::optional<Tile> tile = next()) {
-        std::string result, error;
         try {
-            result = render(*tile, task);
-            error = find_error_();
+            std::string result = render(*tile, task);
+            add(tile->first, std::move(result), find_problems_());
         } catch (const std::exception& e) {
-            error = e.what();
-        }
-        const std::lock_guard lock(mutex_);
-        if (error.empty()) {
-            results_.emplace_back(tile->first, std::move(result));
-        } else {
-            fail(error);
+            const std::lock_guard lock(mutex_);
+            fail(e.what());
         }
     }
+}
+
+void TileWorker::add(std::size_t tile, std::string result,
+                     const std::vector<std::string>& problems) {
+    const std::lock_guard lock(mutex_);
+    for (const std::string& problem : problems) {
+        if (problem.ends_with(lack_of_memory)) return fail(problem);
+        if (std::ranges::find(problems_, problem) == problems_.end()) problems_.push_back(problem);
+    }
+    results_.emplace_back(tile, std::move(result));
 }
 
 /// Waits for a task; nothing if there is no more work.
@@ -81,6 +88,9 @@ void TileWorker::handle(std::string_view message) {
 void TileWorker::send_results() {
     if (!failure_.empty()) {
         ranks_.send(0, message_of(MessageKind::failure, std::exchange(failure_, {})));
+    }
+    for (; sent_problems_ < problems_.size(); ++sent_problems_) {
+        ranks_.send(0, message_of(MessageKind::problem, problems_[sent_problems_]));
     }
     while (!results_.empty()) {
         TileMessage message(MessageKind::results);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/mpi/ranks.h"
 #include "core/render/tile_dealer.h"
@@ -18,10 +19,10 @@ namespace etalon {
 /// Renders the tiles that rank 0 deals to this rank.
 class TileWorker {
   public:
-    /// `find_error` returns why the tiles rendered so far cannot be used, or an empty string; it is
-    /// called by several threads.
-    TileWorker(Ranks& ranks, std::function<std::string()> find_error)
-        : ranks_(ranks), find_error_(std::move(find_error)) {}
+    /// `find_problems` returns why images were replaced in the tiles rendered so far; it is called
+    /// by several threads. Tiles cannot be used if it was for lack of memory.
+    TileWorker(Ranks& ranks, std::function<std::vector<std::string>()> find_problems)
+        : ranks_(ranks), find_problems_(std::move(find_problems)) {}
 
     /// Renders tiles of the image of this identity, on all threads, until rank 0 ends the work.
     void run(const TileTask& task, const nlohmann::ordered_json& identity);
@@ -33,16 +34,19 @@ class TileWorker {
     void render_tiles(const TileTask& task);
     std::optional<Tile> next();
     std::string render(const Tile& tile, const TileTask& task) const;
+    void add(std::size_t tile, std::string result, const std::vector<std::string>& problems);
     bool look();
     void handle(std::string_view message);
     void send_results();
     void fail(const std::string& why);
 
     Ranks& ranks_;
-    std::function<std::string()> find_error_;
+    std::function<std::vector<std::string>()> find_problems_;
     std::mutex mutex_;  ///< protects all below
     std::condition_variable is_changed_;
     std::deque<Tile> tasks_, results_;
+    std::vector<std::string> problems_;  ///< all that were found
+    std::size_t sent_problems_ = 0;
     std::string failure_;  ///< to be sent to rank 0
     std::atomic<bool> is_over_ = false;
 };

@@ -52,10 +52,12 @@ int RenderRun::work() {
     if (status == exit_done && !build()) status = exit_unusable;
     if (status != exit_done) return status;
     render_dealt_tiles(scene_.camera, *integrator_, settings_, [&](const TileTask& task) {
-        const auto find_error = [&] {
-            return intolerable_problem(a_.scene, integrator_->late_problems());
+        const auto find_problems = [&] {
+            std::vector<std::string> problems = integrator_->late_problems();
+            for (std::string& problem : problems) problem = source_.at_rank_0(problem);
+            return problems;
         };
-        TileWorker(ranks_, find_error).run(task, kept_.identity());
+        TileWorker(ranks_, find_problems).run(task, kept_.identity());
     });
     return exit_done;
 }
@@ -73,7 +75,7 @@ int RenderRun::render_and_write() {
     if (!report_ranks()) return exit_unusable;
     warn_of_dropped_samples(rendering);
     warn_of_missed_target(rendering);
-    const bool usable = tolerates(scene_, a_.scene, integrator_->late_problems());
+    const bool usable = tolerates(scene_, a_.scene, late_problems());
     const bool written = rendering.samples == 0 || write(rendering);
     is_written_ = written;
     if (SignalGuard::signal() != 0) return exit_signal + SignalGuard::signal();
@@ -110,6 +112,13 @@ bool RenderRun::report_ranks() const {
     }
     const std::string error = dealer_->error();
     return error.empty() || fail_with(error + resumable);
+}
+
+std::vector<std::string> RenderRun::late_problems() const {
+    std::vector<std::string> problems = integrator_->late_problems();
+    if (!dealer_) return problems;
+    for (std::string& problem : dealer_->problems()) problems.push_back(std::move(problem));
+    return problems;
 }
 
 bool RenderRun::open_reference() {

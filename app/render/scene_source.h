@@ -28,6 +28,9 @@ class SceneSource {
     /// Returns the path by which this rank reads the scene.
     std::string path_read() const;
 
+    /// Returns a text that begins with the path of a file that this rank reads, with rank 0's path.
+    std::string at_rank_0(const std::string& text) const { return copy_.original(text); }
+
     /// Sends the files of the loaded scene to the other ranks, if they get it this way.
     void send(const std::set<std::string>& files);
 

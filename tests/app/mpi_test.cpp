@@ -190,6 +190,24 @@ TEST_CASE("A rank whose memory an image does not fit into ends the rendering",
     CHECK_FALSE(f.has("a.exr"));
 }
 
+TEST_CASE("A face of a skybox that another rank cannot read is reported once, with the image",
+          "[app][needs_mpirun]") {
+    const Folder f;
+    SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
+    f.shell("cp -r '" ETALON_SOURCE_DIR "/scenes/skybox' . && truncate -s -90 skybox/*.png");
+    f.write("sky.p3f", small_scene + "env skybox\n");
+    const std::string task = render_of("\"$PWD/sky.p3f\" --spp 16 --strict -t 1 ");
+    const auto one = f.shell(task + " -o one.exr");
+    REQUIRE(one.status == 3);
+    REQUIRE(f.has("one.exr"));
+    const auto many = f.shell(mpirun(3) + task + " -o many.exr --mpi-scene broadcast");
+    CAPTURE(one.err, many.err);
+    CHECK(many.status == 3);
+    CHECK(f.read("many.exr") == f.read("one.exr"));
+    CHECK(many.err.starts_with(one.err));
+    CHECK(count(many.err, "error: ") == count(one.err, "error: "));
+}
+
 TEST_CASE("The copy of a scene stays in its folder, and --root moves with it",
           "[app][needs_mpirun]") {
     const Folder f;
