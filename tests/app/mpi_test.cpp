@@ -208,6 +208,18 @@ TEST_CASE("A face of a skybox that another rank cannot read is reported once, wi
     CHECK(count(many.err, "error: ") == count(one.err, "error: "));
 }
 
+TEST_CASE("Ranks render on the threads for whose stacks there is memory", "[app][needs_mpirun]") {
+    const Folder f;
+    SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
+    SKIP_UNLESS(!is_sanitized, "memory cannot be limited");
+    const std::string task = render("glass.p3f --spp 2");
+    REQUIRE(f.shell(task + "-o one.exr").status == 0);
+    const auto r = f.shell(mpirun(2) + task + "-t 60 --max-memory 300M -o many.exr");
+    CAPTURE(r.err);
+    CHECK(r.status == 0);
+    CHECK(f.read("many.exr") == f.read("one.exr"));
+}
+
 TEST_CASE("The copy of a scene stays in its folder, and --root moves with it",
           "[app][needs_mpirun]") {
     const Folder f;
