@@ -38,7 +38,7 @@ void send_file(Ranks& ranks, const std::string& path) {
     std::vector<char> bytes(piece_size);
     do {
         file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        send_piece(ranks, fs::absolute(path).lexically_normal(),
+        send_piece(ranks, fs::absolute(path),
                    {bytes.data(), static_cast<std::size_t>(file.gcount())});
     } while (file);
 }
@@ -109,12 +109,24 @@ void SceneCopy::handle(Ranks& ranks, std::string_view message) {
     send_on(ranks, message);
 }
 
-/// Appends a piece to the copy of its file. Rank 0 sends absolute paths without `..`.
+/// Makes all folders on the path of a file, also those that `..` leaves again: without them the
+/// path would not lead to the copy.
+void SceneCopy::make_folders(const fs::path& path) const {
+    fs::path folder;
+    std::error_code none;
+    for (const fs::path& name : path.parent_path()) {
+        folder /= name;
+        fs::create_directories(place_of(folder), none);
+    }
+}
+
+/// Appends a piece to the copy of its file. Rank 0 sends absolute paths.
 void SceneCopy::append(std::string_view content) {
     const std::size_t end = content.find('\0');
-    const fs::path place = place_of(std::string(content.substr(0, end)));
+    const std::string path(content.substr(0, end));
+    const fs::path place = place_of(path);
     std::error_code error;
-    fs::create_directories(place.parent_path(), error);
+    if (!fs::exists(place, error)) make_folders(path);
     std::ofstream file(place, std::ios::binary | std::ios::app);
     file << content.substr(end + 1) << std::flush;
     if (!file && error_.empty()) error_ = place.string() + ": cannot be written";

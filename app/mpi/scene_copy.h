@@ -39,6 +39,7 @@ class SceneCopy {
   private:
     void handle(Ranks& ranks, std::string_view message);
     void append(std::string_view content);
+    void make_folders(const std::filesystem::path& path) const;
 
     std::filesystem::path root_;
     bool is_over_ = false, is_complete_ = false;
