@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 
 #include "app/mpi/tile_message.h"
 #include "app/part/image_identity.h"
@@ -16,7 +17,7 @@ namespace {
 /// a millisecond, and messages wait for some milliseconds until they are polled.
 constexpr std::size_t most_ahead = 64;
 
-/// Time between two checks whether a stop ends the wait for results.
+/// Time between two checks whether an interruption ends the wait for results.
 constexpr auto stop_interval = std::chrono::milliseconds(5);
 
 }  // namespace
@@ -58,24 +59,28 @@ void RankDealer::deal(const DealtPass& pass) {
 void RankDealer::begin(const DealtPass& pass) {
     const std::lock_guard lock(mutex_);
     pass_ = &pass;
+    tiles_.clear();
+    std::ranges::copy_if(pass.tiles, std::back_inserter(tiles_),
+                         [&](std::size_t tile) { return !lent_.contains(tile); });
     next_ = 0;
     is_new_ = true;
 }
 
 void RankDealer::wait_for_results(const DealtPass& pass) {
     std::unique_lock lock(mutex_);
-    while (dealt_ > 0 && !pass.stopped()) has_results_.wait_for(lock, stop_interval);
+    while (!lent_.empty() && !pass.interrupted()) has_results_.wait_for(lock, stop_interval);
 }
 
 /// Returns the next tile of the pass. May be called while there is one.
 std::optional<std::size_t> RankDealer::take() {
     const std::size_t place = next_.fetch_add(1);
-    return place < pass_->tiles.size() ? std::optional(pass_->tiles[place]) : std::nullopt;
+    return place < tiles_.size() ? std::optional(tiles_[place]) : std::nullopt;
 }
 
 /// Handles the other ranks' messages and needs; returns whether there was anything to do.
 bool RankDealer::look() {
     const std::lock_guard lock(mutex_);
+    if (!pass_) return false;
     try {
         const bool received =
             ranks_.receive([&](int from, std::string_view message) { handle(from, message); });
@@ -122,9 +127,7 @@ void RankDealer::note_ready(int from, std::string_view content) {
     all_threads_ += threads;
 }
 
-/// Results that come after a stop are discarded.
 void RankDealer::read_results(int from, std::string_view content) {
-    if (!pass_) return;
     Worker& worker = workers_[from];
     const bool is_whole = for_each_tile_of(content, [&](std::size_t tile, std::string_view bytes) {
         StateReader reader = reader_of(bytes);
@@ -132,22 +135,21 @@ void RankDealer::read_results(int from, std::string_view content) {
         if (reader.failed()) fail(fmt::format("rank {} sent a damaged tile", from));
         ++worker.rendered;
         --worker.dealt;
-        --dealt_;
+        lent_.erase(tile);
     });
     if (!is_whole) fail(fmt::format("rank {} sent a damaged message", from));
-    if (dealt_ == 0) has_results_.notify_one();
+    if (lent_.empty()) has_results_.notify_one();
 }
 
 /// Returns how many tiles the rank is to have: one for each of its threads, and some in advance as
 /// long as many are left.
 std::size_t RankDealer::most_of(const Worker& worker) const {
-    const std::size_t left = pass_->tiles.size() - std::min(next_.load(), pass_->tiles.size());
+    const std::size_t left = tiles_.size() - std::min(next_.load(), tiles_.size());
     return worker.threads * (1 + std::min(most_ahead, left / (2 * all_threads_)));
 }
 
 /// Gives a rank tiles up to that number.
 void RankDealer::supply(int rank) {
-    if (!pass_) return;
     Worker& worker = workers_[rank];
     TileMessage message(MessageKind::tasks);
     while (!message.is_full() && worker.dealt < most_of(worker) && !pass_->interrupted()) {
@@ -158,7 +160,7 @@ void RankDealer::supply(int rank) {
         pass_->write_task(*tile, writer);
         message.add(*tile, task);
         ++worker.dealt;
-        ++dealt_;
+        lent_.insert(*tile);
     }
     if (!message.is_empty()) ranks_.send(rank, message.text());
 }

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@
 namespace etalon {
 
 /// Deals tiles to the threads of this process, rank 0, and to the other ranks. Each rank has some
-/// tiles in advance, fewer towards the end of a pass, so that it need not wait for messages.
+/// tiles in advance, fewer towards the end of a pass, so that it need not wait for messages. When a
+/// pass is interrupted, for a checkpoint, they keep them: the film has these tiles as they were.
 class RankDealer : public TileDealer {
   public:
     explicit RankDealer(Ranks& ranks) : ranks_(ranks), workers_(ranks.size()) {}
@@ -61,14 +63,15 @@ class RankDealer : public TileDealer {
     nlohmann::ordered_json identity_;
     mutable std::mutex mutex_;  ///< protects all below except atomics
     std::condition_variable has_results_;
-    const DealtPass* pass_ = nullptr;
-    bool is_new_ = false;    ///< no tile of the pass has been dealt
-    std::size_t dealt_ = 0;  ///< tiles that other ranks have
+    const DealtPass* pass_ = nullptr;  ///< null between passes, when no message is read either
+    std::vector<std::size_t> tiles_;   ///< tiles of the pass that no other rank has from before
+    std::set<std::size_t> lent_;       ///< tiles that other ranks have
+    bool is_new_ = false;              ///< no tile of the pass has been dealt
     std::size_t all_threads_ = 0;
     std::vector<Worker> workers_;  ///< by rank
     std::string error_;
     std::vector<std::string> problems_;
-    std::atomic<std::size_t> next_ = 0;  ///< index of the next tile in the pass
+    std::atomic<std::size_t> next_ = 0;  ///< index of the next tile of the pass
     std::atomic<std::size_t> rendered_here_ = 0;
     std::atomic<bool> has_failed_ = false;
     std::optional<PollingThread> listener_;

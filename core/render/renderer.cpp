@@ -184,12 +184,10 @@ class Renderer {
     template <class Render>
     DealtPass dealt(std::vector<std::size_t> tiles, const std::function<bool()>& interrupted,
                     const Render& render, const SamplingPasses& passes) {
-        return {std::move(tiles),
-                render,
+        return {std::move(tiles), render,
                 [&](std::size_t tile, StateWriter& task) { tiles_.transfer_task(tile, task); },
                 [&](std::size_t tile, StateReader& result) { read_result(tile, result, passes); },
-                interrupted,
-                [&] { return stopped(); }};
+                interrupted};
     }
 
     void read_result(std::size_t tile, StateReader& bytes, const SamplingPasses& passes) {

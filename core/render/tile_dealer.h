@@ -20,8 +20,7 @@ struct DealtPass {
     std::function<void(std::size_t)> render{};                    ///< renders a tile here
     std::function<void(std::size_t, StateWriter&)> write_task{};  ///< for another process
     std::function<void(std::size_t, StateReader&)> read_result{};
-    std::function<bool()> interrupted{};  ///< if true, no further tile is begun
-    std::function<bool()> stopped{};      ///< if true, no result is waited for either
+    std::function<bool()> interrupted{};  ///< if true, no tile is begun and no result waited for
 };
 
 /// Deals tiles to this process and others.
@@ -29,8 +28,9 @@ class TileDealer {
   public:
     virtual ~TileDealer() = default;
 
-    /// Renders the tiles, on all threads. When it returns, all expected results have been read, and
-    /// the pass is no longer used.
+    /// Renders the tiles, on all threads. When it returns, the pass is no longer used. Unless it
+    /// was interrupted, all results have been read; otherwise those of other processes that are
+    /// missing are expected by the next call, for the rest of the same pass.
     virtual void deal(const DealtPass& pass) = 0;
 
     /// Returns whether another process has failed, so that rendering must stop. Thread-safe.
