@@ -1,7 +1,9 @@
 #include "app/live/tcp_sender.h"
 
+#include <linux/sockios.h>
 #include <netdb.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -18,6 +20,12 @@ constexpr int interval = 20;
 
 std::string text_of(int error) {
     return std::generic_category().message(error);
+}
+
+/// Returns how many of the bytes sent the other end has not accepted yet; 0 if that is unknown.
+int unaccepted(int socket) {
+    int bytes = 0;
+    return ::ioctl(socket, SIOCOUTQ, &bytes) == 0 ? bytes : 0;
 }
 
 }  // namespace
@@ -79,13 +87,19 @@ std::string TcpSender::connect_to(const addrinfo& address) {
     return error == 0 ? std::string() : text_of(error);
 }
 
+/// The system calls a socket writable only when a third of its buffer is free, which takes a slow
+/// viewer some seconds. So it counts as waiting only while the other end accepts nothing.
 std::string TcpSender::wait_until_writable() const {
     using Clock = std::chrono::steady_clock;
-    for (const auto start = Clock::now(); goes_on_(Clock::now() - start);) {
+    int waiting = unaccepted(socket_);
+    for (auto start = Clock::now(); goes_on_(Clock::now() - start);) {
         pollfd state = {socket_, POLLOUT, 0};
         const int ready = ::poll(&state, 1, interval);
         if (ready > 0) return {};
         if (ready < 0 && errno != EINTR) return text_of(errno);
+        const int still_waiting = unaccepted(socket_);
+        if (still_waiting < waiting) start = Clock::now();
+        waiting = still_waiting;
     }
     return text_of(ETIMEDOUT);
 }
