@@ -17,6 +17,7 @@ constexpr const char* free_names[] = {"crop", "spp", "seed", "part"};
 /// A film of one of the files.
 struct Input {
     const std::string* path;
+    AppendixReader* file;
     const FilmAppendix* appendix;
     std::size_t number;
 
@@ -88,10 +89,9 @@ bool add(const Input& input, MergedFilms& result) {
             {{stored.window, {}, 0}, empty_film(result.identity, stored.window)});
     }
     const auto film = empty_film(result.identity, stored.window);
-    AppendixReader file;
-    if (!file.open(*input.path)) return false;
-    StateReader bytes = file.film(*input.appendix, input.number);
+    StateReader bytes = input.file->film(*input.appendix, input.number);
     film->transfer(bytes);
+    input.file->close();
     if (bytes.failed()) return false;
     MergedFilm& merged = result.films.back();
     merged.film->add(*film);
@@ -113,15 +113,16 @@ std::string stop_reason(const FilmAppendix& part) {
 
 Result<MergedFilms> merge_films(const std::vector<std::string>& paths) {
     std::vector<FilmAppendix> appendices;
-    for (const std::string& path : paths) {
-        Result<FilmAppendix> appendix = AppendixReader().open(path);
+    std::vector<AppendixReader> files(paths.size());
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        Result<FilmAppendix> appendix = files[i].open(paths[i]);
         if (!appendix) return {{}, appendix.error};
         appendices.push_back(std::move(appendix.value));
     }
     std::vector<Input> inputs;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         for (std::size_t k = 0; k < appendices[i].films.size(); ++k) {
-            inputs.push_back({&paths[i], &appendices[i], k});
+            inputs.push_back({&paths[i], &files[i], &appendices[i], k});
         }
     }
     if (std::string error = check(inputs); !error.empty()) return {{}, std::move(error)};

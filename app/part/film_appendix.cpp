@@ -200,13 +200,16 @@ Result<FilmAppendix> AppendixReader::open(const std::string& path) {
     const std::uint64_t begin = size - sizeof ending - ending.bytes;
     file_.seekg(static_cast<std::streamoff>(begin));
     Result<FilmAppendix> result = read_checked(file_, ending);
+    close();
     if (!result) return {{}, path + ": " + result.error};
+    path_ = path;
     films_ = size - sizeof ending;
     for (const StoredFilm& film : result.value.films) films_ -= film.bytes;
     return result;
 }
 
 StateReader AppendixReader::film(const FilmAppendix& appendix, std::size_t number) {
+    file_.open(path_, std::ios::binary);
     std::uint64_t begin = films_;
     for (std::size_t i = 0; i < number; ++i) begin += appendix.films[i].bytes;
     file_.seekg(static_cast<std::streamoff>(begin));

@@ -55,16 +55,21 @@ void write_appendix(const std::string& line, const StateWriter::Sink& put,
 /// The same in memory, for films as bytes.
 std::string film_appendix(const FilmAppendix& appendix, const std::string& films);
 
-/// Reads a file that ends with such an appendix.
+/// Reads a file that ends with such an appendix. The file is open only while it is read, as there
+/// may be more files than a process can have open.
 class AppendixReader {
   public:
-    /// Returns the appendix without the films. An error begins with the path.
+    /// Checks all of the appendix and returns it without the films. An error begins with the path.
     Result<FilmAppendix> open(const std::string& path);
 
     /// Returns a reader of the film with that number.
     StateReader film(const FilmAppendix& appendix, std::size_t number);
 
+    /// Ends the reading of a film.
+    void close() { file_.close(); }
+
   private:
+    std::string path_;
     std::ifstream file_;
     std::uint64_t films_ = 0;  ///< offset of the films
 };
