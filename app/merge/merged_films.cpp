@@ -48,13 +48,14 @@ std::string conflict(const Input& a, const Input& b) {
         return fmt::format("{} and {} overlap without being the same window: pixels {} and {}",
                            *a.path, *b.path, pixels_text(wa), pixels_text(wb));
     }
-    for (const SampleShare& s : a.stored().shares) {
-        for (const SampleShare& t : b.stored().shares) {
-            const std::uint32_t first = std::max(s.first, t.first), end = std::min(s.end, t.end);
-            if (s.seed != t.seed || first >= end) continue;
+    const std::vector<SampleShare>&s = a.stored().shares, &t = b.stored().shares;
+    for (auto i = s.begin(), k = t.begin(); i != s.end() && k != t.end();) {
+        const std::uint32_t first = std::max(i->first, k->first), end = std::min(i->end, k->end);
+        if (i->seed == k->seed && first < end) {
             return fmt::format("{} and {} hold the same samples: numbers {} to {} of seed {}",
-                               *a.path, *b.path, first, end - 1, s.seed);
+                               *a.path, *b.path, first, end - 1, i->seed);
         }
+        std::pair(i->seed, i->end) < std::pair(k->seed, k->end) ? ++i : ++k;
     }
     return {};
 }
@@ -137,7 +138,7 @@ Result<MergedFilms> merge_films(const std::vector<std::string>& paths) {
         if (!add(input, result))
             return {{}, *input.path + ": the sums behind the image are damaged"};
     }
-    for (MergedFilm& merged : result.films) std::ranges::sort(merged.stored.shares);
+    for (MergedFilm& merged : result.films) join_shares(merged.stored.shares);
     return {std::move(result), {}};
 }
 

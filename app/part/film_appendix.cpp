@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/common/shallow_json.h"
@@ -48,12 +49,16 @@ FilmAppendix from_json(const Json& json) {
         StoredFilm stored{{{w.at(0), w.at(1)}, {w.at(2), w.at(3)}}, {}, film.at("bytes")};
         for (const Json& s : film.at("shares"))
             stored.shares.push_back({s.at(0), s.at(1), s.at(2)});
+        join_shares(stored.shares);
         result.films.push_back(std::move(stored));
     }
     return result;
 }
 
 constexpr int most_pixels_of_side = 65536;
+
+/// Most bytes of the two lines of text.
+constexpr std::size_t longest_lines = 1 << 26;
 
 /// Returns whether a film of so many bytes may be that of an image: whether there are as many as
 /// it takes to store one.
@@ -93,15 +98,19 @@ bool is_possible(const FilmAppendix& appendix, std::uint64_t bytes) {
 Result<FilmAppendix> read_checked(std::ifstream& file, const Ending& ending) {
     Hash64 hash;
     std::string lines;
+    std::size_t end = lines.npos;  // of the second line
     std::vector<char> bytes(std::min<std::uint64_t>(ending.bytes, 1 << 20));
     for (std::uint64_t left = ending.bytes; left > 0 && file;) {
         const auto count = std::min<std::uint64_t>(left, bytes.size());
         file.read(bytes.data(), static_cast<std::streamsize>(count));
         hash.add({bytes.data(), count});
-        if (left == ending.bytes) lines.assign(bytes.data(), count);
+        if (end == lines.npos && lines.size() < longest_lines) {
+            const std::size_t next = std::max(lines.size(), first_line.size());
+            lines.append(bytes.data(), count);
+            end = lines.find('\n', next);
+        }
         left -= count;
     }
-    const std::size_t end = lines.find('\n', first_line.size());
     const std::string damaged = "the sums behind the image are damaged";
     if (!file || hash.value() != ending.hash || end == lines.npos) return {{}, damaged};
     if (!lines.starts_with(first_line)) return {{}, "its sums are of another version of Etalon"};
@@ -119,6 +128,21 @@ Result<FilmAppendix> read_checked(std::ifstream& file, const Ending& ending) {
 
 std::string appendix_line(const FilmAppendix& appendix) {
     return to_json(appendix).dump(-1, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
+void join_shares(std::vector<SampleShare>& shares) {
+    std::ranges::sort(shares);
+    std::vector<SampleShare> joined;
+    for (const SampleShare& s : shares) {
+        const bool continues =
+            !joined.empty() && joined.back().seed == s.seed && joined.back().end == s.first;
+        if (continues) {
+            joined.back().end = s.end;
+        } else {
+            joined.push_back(s);
+        }
+    }
+    shares = std::move(joined);
 }
 
 StoredFilm one_film(const Json& identity, std::size_t bytes) {

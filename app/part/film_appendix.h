@@ -36,6 +36,9 @@ struct FilmAppendix {
     std::vector<StoredFilm> films;
 };
 
+/// Sorts shares, and joins those that continue each other.
+void join_shares(std::vector<SampleShare>& shares);
+
 /// Returns the description of the only film of an image with this identity.
 StoredFilm one_film(const nlohmann::ordered_json& identity, std::size_t bytes);
 

@@ -90,6 +90,18 @@ TEST_CASE("A film takes no more bytes in memory than a few times those in the fi
                ContainsSubstring("the sums behind the image are damaged"));
 }
 
+TEST_CASE("Shares that continue each other become one, and many can be read again", "[app]") {
+    std::vector<SampleShare> shares = {{1, 0, 2}, {0, 4, 6}, {0, 2, 4}, {0, 7, 9}};
+    join_shares(shares);
+    CHECK(shares == std::vector<SampleShare>{{0, 2, 6}, {0, 7, 9}, {1, 0, 2}});
+
+    FilmAppendix appendix = good_appendix();
+    for (std::uint32_t i = 1; i < 100000; ++i)
+        appendix.films[0].shares.push_back({0, 2 * i, 2 * i + 1});
+    REQUIRE(appendix_line(appendix).size() > 1 << 20);
+    CHECK(error_of(appendix, film_bytes(ImageFilm({{0, 0}, {3, 2}}, RenderSettings{}))) == "");
+}
+
 TEST_CASE("A reason to stop that is no text is none", "[app]") {
     FilmAppendix appendix = good_appendix();
     appendix.metadata["stopped"] = 7;
