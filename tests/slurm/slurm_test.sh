@@ -124,10 +124,10 @@ check_requeued() {
 check_frames() {
     for frame in 0007 0008; do cp "$source/scenes/features/spheres.p3f" "shot.$frame.p3f"; done
     local options=(--spp 4 --resolution 40x30 -q)
-    "$source/scripts/slurm/submit" frames 7 8 'out/shot.%04d.exr' 'shot.%04d.p3f' "${options[@]}" >submitted
+    "$source/scripts/slurm/submit" frames 07 08 'out/%04d/shot.exr' 'shot.%04d.p3f' "${options[@]}" >submitted
     within 60 is_over "$(cat submitted)"
     "$ETALON" render shot.0007.p3f "${options[@]}" -o whole.exr
-    for frame in 0007 0008; do same_pixels "out/shot.$frame.exr" whole.exr; done
+    for frame in 0007 0008; do same_pixels "out/$frame/shot.exr" whole.exr; done
 }
 
 export ETALON=$binary/bin/etalon
