@@ -27,6 +27,15 @@ bool is_same(std::string_view a, std::string_view b) {
     return difference == 0;
 }
 
+/// Returns whether a page was loaded from this machine. The port may be another one, from which
+/// ssh forwards.
+bool is_own_name(std::string_view host) {
+    const std::string_view name = host.substr(0, host.find(':'));
+    const std::string_view port = host.substr(name.size());
+    return (name == "127.0.0.1" || name == "localhost") &&
+           port.find_first_not_of(":0123456789") == std::string_view::npos;
+}
+
 }  // namespace
 
 PageServer::PageServer(std::map<std::string, Resource> resources)
@@ -47,11 +56,6 @@ double PageServer::idle_seconds() const {
     const std::lock_guard lock(mutex_);
     if (!was_asked_) return std::numeric_limits<double>::infinity();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count();
-}
-
-bool PageServer::is_own_name(const std::string& host) const {
-    const int port = server_.port();
-    return host == fmt::format("127.0.0.1:{}", port) || host == fmt::format("localhost:{}", port);
 }
 
 HttpAnswer PageServer::answer(const HttpRequest& request) {

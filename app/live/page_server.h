@@ -37,7 +37,6 @@ class PageServer {
   private:
     HttpAnswer answer(const HttpRequest& request);
     HttpAnswer answer(const std::string& method, const std::string& name);
-    bool is_own_name(const std::string& host) const;
 
     std::map<std::string, Resource> resources_;
     std::string token_;
