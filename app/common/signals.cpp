@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-std::atomic<bool> was_raised = false;
+std::atomic<bool> was_raised = false, was_requested = false;
 std::atomic<int> signal_number = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
@@ -13,6 +13,7 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_alw
 constexpr int caught[] = {SIGINT, SIGTERM, SIGHUP};
 
 void handle(int number) {
+    was_requested = false;
     signal_number = number;
     was_raised = true;
 }
@@ -51,7 +52,14 @@ const std::atomic<bool>& SignalGuard::raised() {
 }
 
 void SignalGuard::interrupt() {
-    if (!was_raised) handle(SIGINT);
+    if (was_raised) return;
+    was_requested = true;
+    signal_number = SIGINT;
+    was_raised = true;
+}
+
+bool SignalGuard::is_requested() {
+    return was_requested;
 }
 
 int SignalGuard::signal() {

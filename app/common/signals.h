@@ -18,6 +18,9 @@ class SignalGuard {
 
     /// Acts like a first SIGINT. Thread-safe; may be called repeatedly.
     static void interrupt();
+
+    /// Returns whether interrupt() ended the work, and no signal has come since.
+    static bool is_requested();
 };
 
 }  // namespace etalon

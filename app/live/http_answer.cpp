@@ -48,8 +48,10 @@ HttpAnswer text_answer(int status, std::string text) {
 }
 
 std::string http_message(const HttpAnswer& answer, bool with_body) {
-    return fmt::format("HTTP/1.1 {} {}\r\n{}Content-Type: {}\r\nContent-Length: {}\r\n\r\n{}",
-                       answer.status, reason(answer.status), common_headers, answer.type,
+    const std::string allow =
+        answer.allowed.empty() ? "" : fmt::format("Allow: {}\r\n", answer.allowed);
+    return fmt::format("HTTP/1.1 {} {}\r\n{}{}Content-Type: {}\r\nContent-Length: {}\r\n\r\n{}",
+                       answer.status, reason(answer.status), common_headers, allow, answer.type,
                        answer.body.size(), with_body ? answer.body : std::string_view());
 }
 

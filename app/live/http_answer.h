@@ -9,6 +9,7 @@ struct HttpAnswer {
     int status;
     std::string type;  ///< as in Content-Type
     std::string body;
+    std::string allowed{};  ///< the method that a 405 names
 };
 
 /// Returns an answer in plain text; by default the text is the status in words.

@@ -82,7 +82,11 @@ HttpAnswer PageServer::answer(const std::string& method, const std::string& name
     const auto found = resources_.find(name);
     if (found == resources_.end()) return text_answer(404, "There is nothing here.\n");
     const Resource& resource = found->second;
-    if (method != resource.method) return text_answer(405, "Ask by " + resource.method + ".\n");
+    if (method != resource.method) {
+        HttpAnswer refusal = text_answer(405, "Ask by " + resource.method + ".\n");
+        refusal.allowed = resource.method;
+        return refusal;
+    }
     return {200, resource.type, resource.body()};
 }
 

@@ -35,11 +35,12 @@ void LiveViews::attach(const RenderSettings& settings, RunControl& control) {
     }
 }
 
-void LiveViews::show_end(const std::atomic<bool>& stopped) {
+void LiveViews::show_end() {
     if (!page_) return;
     page_->set_stage(ViewState::Stage::over);
     page_->wait_for_pages();
-    while (a_.stay && !stopped) std::this_thread::sleep_for(page_interval);
+    const auto is_over = [] { return SignalGuard::raised() && !SignalGuard::is_requested(); };
+    while (a_.stay && !is_over()) std::this_thread::sleep_for(page_interval);
 }
 
 }  // namespace etalon

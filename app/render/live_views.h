@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <optional>
 #include <string>
 
@@ -28,8 +27,8 @@ class LiveViews {
         if (page_) page_->set_stage(stage);
     }
 
-    /// Lets pages show the finished image; a page that is to stay, until `stopped`.
-    void show_end(const std::atomic<bool>& stopped);
+    /// Lets pages show the finished image; a page that is to stay, until a signal.
+    void show_end();
 
   private:
     const RenderArguments& a_;

@@ -37,7 +37,7 @@ void limit_threads(int threads) {
 
 int RenderRun::run() {
     const int status = render_and_write();
-    if (is_written_) views_.show_end(SignalGuard::raised());
+    if (is_written_) views_.show_end();
     return status;
 }
 

@@ -65,6 +65,7 @@ def check_refusals(served):
         assert served.ask("stop", method="POST", host=host)[0] == 403
     for host in ("localhost:%d" % served.port, "localhost:9000", "127.0.0.1"):  # by ssh -L
         assert served.ask(host=host)[0] == 200
+    assert served.ask("stop")[1]["Allow"] == "POST" and served.ask(method="POST")[1]["Allow"] == "GET"
     assert served.ask("stop")[0] == 405 and served.ask(method="POST")[0] == 405
     status, headers, body = served.ask(method="HEAD")
     assert status == 405 and int(headers["Content-Length"]) > 0 and body == b""
@@ -166,6 +167,16 @@ with Served(PROGRAM, "ball.p3f", "-q", "--spp", "4", "-o", "b.exr", "-o", "b.png
     assert served.end() == 0
 subprocess.run([PROGRAM, "compare", "shown.png", "b.png", "--fail-above", "different_pixels=0"], check=True,
                stdout=subprocess.DEVNULL)
+
+# Its button ends the rendering, and a page that is to stay remains until a signal.
+with Served(PROGRAM, *ENDLESS[:-1], "d.exr", "--stay") as served:
+    until(lambda: served.state()["samples"] > 0)
+    assert served.ask("stop", method="POST")[0] == 200
+    until(lambda: served.state()["stage"] == "over")
+    time.sleep(0.2)
+    assert served.ask("image.png")[0] == 200
+    served.interrupt()
+    assert served.end() == 130
 
 # Clients that are slow or ask again and again do not keep the program from ending.
 with Served(PROGRAM, "ball.p3f", "-q", "--spp", "4", "-o", "c.exr") as served:
