@@ -38,6 +38,9 @@ class KeptState {
     /// Returns whether the resumed state did not fit the image.
     bool failed() const { return resumed_ && resumed_->failed(); }
 
+    /// Returns whether there is a checkpoint of the image.
+    bool is_resumable() const { return resumed_ || (writer_ && writer_->written() > 0); }
+
     /// Returns the appendix of the EXR of a part; empty for other images.
     std::string appendix(const RenderedImage& image) const;
 

@@ -103,8 +103,8 @@ int RenderRun::prepare() {
 bool RenderRun::report_ranks() const {
     if (!dealer_) return true;
     const std::string resumable =
-        a_.checkpoint.empty() ? "" : "; --resume goes on from " + a_.checkpoint;
-    if (SignalGuard::signal() != 0) {
+        kept_.is_resumable() ? "; --resume goes on from " + a_.checkpoint : "";
+    if (SignalGuard::signal() != 0 && !SignalGuard::is_requested()) {
         print_message(
             "etalon: rank 0 was ended by signal {}: a rank has died, or mpirun was told to "
             "end{}\n",

@@ -134,7 +134,7 @@ TEST_CASE("A rank that has another scene, or none, ends the rendering by name",
     f.write("scene0.p3f", small_scene);
     const std::string command = "exec '" ETALON_BINARY_DIR
                                 "/bin/etalon' render scene$OMPI_COMM_WORLD_RANK.p3f --spp 60000 "
-                                "-q -o a.exr";
+                                "-q -o a.exr --checkpoint no/such/folder/c";
     const auto missing = in_ranks(f, 2, command);
     CHECK(missing.status == 3);
     CHECK_THAT(missing.err, ContainsSubstring("error: rank 1 has failed: scene1.p3f"));
@@ -142,6 +142,7 @@ TEST_CASE("A rank that has another scene, or none, ends the rendering by name",
     const auto other = in_ranks(f, 2, command);
     CHECK(other.status == 3);
     CHECK_THAT(other.err, ContainsSubstring("error: rank 1 renders another image: scene is"));
+    CHECK_THAT(other.err, !ContainsSubstring("--resume goes on"));
     CHECK_FALSE(f.has("a.exr"));
 }
 
