@@ -6,6 +6,7 @@
 #include <chrono>
 #include <iterator>
 
+#include "app/common/signals.h"
 #include "app/mpi/tile_message.h"
 #include "app/part/image_identity.h"
 #include "core/parallel/all_threads.h"
@@ -103,7 +104,8 @@ void RankDealer::handle(int from, std::string_view message) {
             note_ready(from, content);
             break;
         case MessageKind::failure:
-            fail(fmt::format("rank {} has failed: {}", from, content));
+            // After a signal, which others get too, what there is of the image is still written.
+            if (!SignalGuard::raised()) fail(fmt::format("rank {} has failed: {}", from, content));
             break;
         case MessageKind::problem:
             problems_.emplace_back(content);

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <vector>
 
+#include "app/common/signals.h"
 #include "app/mpi/poll_pause.h"
 #include "app/mpi/tile_message.h"
 
@@ -77,6 +78,9 @@ std::string SceneCopy::receive(Ranks& ranks) {
     root_ = folder;
     PollPause pause;
     while (!is_complete_ && !is_over_ && ranks.error().empty()) {
+        if (SignalGuard::raised()) {
+            return fmt::format("was ended by signal {}", SignalGuard::signal());
+        }
         const bool received =
             ranks.receive([&](int, std::string_view message) { handle(ranks, message); });
         if (received) {

@@ -2,12 +2,19 @@
 
 #include <algorithm>
 
+#include "app/common/signals.h"
 #include "app/mpi/polling_thread.h"
 #include "app/mpi/tile_message.h"
 #include "core/image/lack_of_memory.h"
 #include "core/parallel/all_threads.h"
 
 namespace etalon {
+namespace {
+
+/// Time that rank 0 has after a signal to end the work: half of what Open MPI gives this rank.
+constexpr auto patience_after_signal = std::chrono::milliseconds(500);
+
+}  // namespace
 
 void TileWorker::run(const TileTask& task, const nlohmann::ordered_json& identity) {
     const auto threads = static_cast<std::uint64_t>(max_threads());
@@ -66,6 +73,7 @@ bool TileWorker::look() {
     try {
         const bool received =
             ranks_.receive([&](int, std::string_view message) { handle(message); });
+        heed_signal();
         send_results();
         return received;
     } catch (const std::exception& e) {
@@ -100,6 +108,18 @@ void TileWorker::send_results() {
         }
         ranks_.send(0, message.text());
     }
+}
+
+/// Ends the work after a signal, unless rank 0 does so soon: if it is dead, the launcher ends this
+/// rank before it has removed its copy of the scene.
+void TileWorker::heed_signal() {
+    if (!SignalGuard::raised() || is_over_) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (!signalled_) signalled_ = now;
+    if (now - *signalled_ < patience_after_signal) return;
+    fail("was ended by signal " + std::to_string(SignalGuard::signal()));
+    is_over_ = true;
+    is_changed_.notify_all();
 }
 
 /// Reports why this rank renders nothing more, and waits for the end.

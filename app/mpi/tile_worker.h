@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -38,6 +39,7 @@ class TileWorker {
     bool look();
     void handle(std::string_view message);
     void send_results();
+    void heed_signal();
     void fail(const std::string& why);
 
     Ranks& ranks_;
@@ -47,7 +49,8 @@ class TileWorker {
     std::deque<Tile> tasks_, results_;
     std::vector<std::string> problems_;  ///< all that were found
     std::size_t sent_problems_ = 0;
-    std::string failure_;  ///< to be sent to rank 0
+    std::string failure_;                                             ///< to be sent to rank 0
+    std::optional<std::chrono::steady_clock::time_point> signalled_;  ///< when a signal was seen
     std::atomic<bool> is_over_ = false;
 };
 
