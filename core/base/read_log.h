@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <set>
 #include <string>
@@ -21,20 +22,19 @@ class ReadLog {
     ReadLog(const ReadLog&) = delete;
     ReadLog& operator=(const ReadLog&) = delete;
 
-    /// Returns a hash of the contents and the files' names, independent of their folders, their
-    /// order, and how often each was read. The name of the file `main` does not matter.
+    /// Returns a hash of the contents and the files' names, independent of their folders, except
+    /// for the order of folders that have files of one name, and of how often and in which order
+    /// they were read. The name of the file `main` does not matter.
     std::uint64_t fingerprint(const std::string& main) const {
         const std::lock_guard lock(mutex_);
-        std::set<std::uint64_t> files;
+        std::map<std::string, std::string> files;  // for each name what is in its files, by paths
         for (const auto& [path, content] : contents_) {
             const std::string name =
                 path == main ? std::string() : std::filesystem::path(path).filename().string();
-            files.insert(hash64(name + '\0' + std::to_string(content)));
+            files[name] += '\0' + std::to_string(content);
         }
         Hash64 hash;
-        for (const std::uint64_t file : files) {
-            hash.add({reinterpret_cast<const char*>(&file), sizeof file});
-        }
+        for (const auto& [name, contents] : files) hash.add(name + contents + '\0');
         return hash.value();
     }
 

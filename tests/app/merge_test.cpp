@@ -223,6 +223,30 @@ TEST_CASE("Files that have changed places are another scene", "[app]") {
     CHECK_THAT(r.err, ContainsSubstring("is not of the same image as 1.exr: scene is"));
 }
 
+TEST_CASE("Files of one name that have changed folders are another scene", "[app]") {
+    const Folder f;
+    f.shell("mkdir -p here/a here/b");
+    std::string scene =
+        "LookAt 0 0 9 0 0 0 0 1 0 Camera \"perspective\" Film \"image\" \"integer xresolution\" 8 "
+        "\"integer yresolution\" 8 WorldBegin LightSource \"infinite\"\n";
+    for (const std::string name : {"a", "b"}) {
+        scene += "Texture \"" + name + "\" \"spectrum\" \"imagemap\" \"string filename\" \"" +
+                 name + "/t.png\" Material \"matte\" \"texture Kd\" \"" + name +
+                 "\" Shape \"sphere\"\n";
+    }
+    f.write("here/s.pbrt", scene + "WorldEnd\n");
+    f.write("ball.p3f", small_scene);
+    REQUIRE(f.etalon("render ball.p3f -q -o here/a/t.png --resolution 4x4").status == 0);
+    REQUIRE(f.etalon("render ball.p3f -q -o here/b/t.png --resolution 8x8").status == 0);
+    const std::string end = "here/s.pbrt -q --spp 4 --part ";
+    REQUIRE(f.etalon("render " + end + "1/2 -o 1.exr").status == 0);
+    REQUIRE(f.etalon("render $PWD/" + end + "2/2 -o 2.exr").status == 0);
+    merge_well(f, {"1.exr", "2.exr"}, "m.exr");
+    f.shell("cd here; mv a c; mv b a; mv c b");
+    REQUIRE(f.etalon("render " + end + "2/2 -o 2.exr").status == 0);
+    CHECK(merge(f, {"1.exr", "2.exr"}, "m.exr").status == 3);
+}
+
 TEST_CASE("--part needs a valid share, and an image whose samples are known before", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
