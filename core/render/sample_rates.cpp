@@ -10,9 +10,6 @@
 namespace etalon {
 namespace {
 
-/// Least number of samples per pixel for which lights are searched.
-constexpr int fewest_samples = 8;
-
 constexpr int highest_rate = 16;
 
 /// A pixel's rate is the step of emission around it, divided by this many times the mean of the
@@ -101,7 +98,9 @@ void for_each_step(const std::vector<float>& values, const Imath::V2i& size, con
 
 SampleRates sample_rates(const Camera& camera, const Integrator& integrator,
                          const RenderSettings& settings, const Imath::Box2i& window) {
-    if (!integrator.shows_lights() || settings.samples_per_pixel < fewest_samples) return {};
+    if (!integrator.shows_lights() || settings.samples_per_pixel < fewest_samples_with_rates) {
+        return {};
+    }
     const double scattered = scattered_light(camera, integrator, settings);
     if (!(scattered > 0)) return {};
     const Imath::V2i one(1), size = window.max - window.min + one;

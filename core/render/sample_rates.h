@@ -13,6 +13,9 @@ namespace etalon {
 /// have the usual number.
 using SampleRates = std::vector<std::uint8_t>;
 
+/// Least number of samples per pixel of an image that may have rates.
+constexpr int fewest_samples_with_rates = 8;
+
 /// Returns higher rates for the pixels at the outlines of lights that are much brighter than the
 /// surfaces they illuminate. Such pixels are few, and have nearly all the noise of an image in
 /// which lights are visible. The rates depend on separate rays, since the image's own samples would

@@ -154,6 +154,7 @@ TEST_CASE("Files that are not parts of one image are an error", "[app]") {
     render(f, scene + "--part 2/2", "small.exr", "40x30");
     render(f, scene + "--part 2/2 --filter triangle", "filter.exr");
     render(f, "features/spheres.p3f --spp 8 --part 2/2", "scene.exr");
+    render(f, "features/glass.p3f --spp 6 --part 6/6", "few.exr");
     f.write("damaged.exr", [&] {
         std::string text = f.read("a.exr");
         text[text.size() - 300] ^= 1;
@@ -166,6 +167,7 @@ TEST_CASE("Files that are not parts of one image are an error", "[app]") {
         {"small.exr", "not of the same image as a.exr: resolution is [40,30], there [80,60]"},
         {"filter.exr", "filter is [\"triangle\""},
         {"scene.exr", "scene is \""},
+        {"few.exr", "few.exr may hold the same samples of seed 0"},
         {"plain.exr", "plain.exr: holds no sums of samples; expected an EXR of `etalon render"},
         {"damaged.exr", "damaged.exr: the sums behind the image are damaged"},
         {"none.exr", "none.exr: cannot be read: No such file"}};
