@@ -19,8 +19,7 @@ void Reference::note(const RenderedPass& pass) {
     spent_.wall += lap.wall;
     spent_.cpu += lap.cpu;
     const std::vector<Color> pixels = image_pixels(pass.film, settings_);
-    const auto samples = static_cast<double>(pass.film.total_count());
-    history_.push_back({{"spp", samples / static_cast<double>(pass.film.size())},
+    history_.push_back({{"spp", pass.samples},
                         {"seconds", spent_.wall},
                         {"cpu_seconds", spent_.cpu},
                         {"mse", mse(pixels, pixels_)},

@@ -20,6 +20,7 @@ struct RenderedTile {
 struct RenderedPass {
     const Film& film;
     std::optional<double> expected_error;  ///< relMSE, if it was estimated
+    double samples;                        ///< mean per pixel
 };
 
 /// Callbacks of a rendering; empty ones cost nothing. They change no pixel, but block the thread

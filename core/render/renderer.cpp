@@ -97,7 +97,8 @@ class Renderer {
             if (errors_) errors_->look();
             const auto error = errors_ ? errors_->expected() : passes.expected_error();
             tiles_.with_image([&](const Film& film) {
-                tell(&RenderObserver::after_pass, RenderedPass{film, error});
+                const double samples = static_cast<double>(samples_done_) / sampled_pixels(film);
+                tell(&RenderObserver::after_pass, RenderedPass{film, error, samples});
             });
         }
         shown_ = samples_done_;
@@ -136,14 +137,18 @@ class Renderer {
         return is_watched ? 0 : some_seconds;
     }
 
+    /// Returns the number of pixels that are sampled for an image: with a filter also some beyond
+    /// it.
+    double sampled_pixels(const Film& image) const {
+        return static_cast<double>(film_.is_filtered() ? film_.samples().size() : image.size());
+    }
+
     Rendering finished(const SamplingPasses& passes) {
         if (control_.take_film) {
             control_.take_film([&](StateWriter& bytes) { film_.transfer(bytes); });
         }
-        const auto sampled = static_cast<double>(film_.samples().size());
         Rendering result{tiles_.take_image(), ray_counts(), resumed_counts_};
-        const double pixels =
-            film_.is_filtered() ? sampled : static_cast<double>(result.film.size());
+        const double pixels = sampled_pixels(result.film);
         result.samples = static_cast<double>(samples_done_) / pixels;
         result.resumed_samples = static_cast<double>(samples_resumed_) / pixels;
         result.dropped_samples = samples_dropped_;

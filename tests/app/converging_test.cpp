@@ -49,6 +49,15 @@ TEST_CASE("render --reference lists the error after each pass, and agrees with c
     CHECK(s["error"] == json::parse(f.read("c.json")));
 }
 
+TEST_CASE("The last pass has the samples of the image, with a filter wider than a pixel too",
+          "[app]") {
+    const Converging f;
+    REQUIRE(f.etalon("render ball.p3f --target-error 2e-5 --filter gaussian --reference "
+                     "reference.exr -q -o a.exr --stats s.json")
+                .status == 0);
+    CHECK(f.stats()["convergence"].back()["spp"] == f.stats()["image"]["spp"]);
+}
+
 TEST_CASE("render --target-error stops there, however many samples that takes", "[app]") {
     const Converging f;
     const auto r = f.etalon(
