@@ -12,6 +12,16 @@ constexpr std::size_t deepest = 100;
 constexpr std::size_t most_files = 100'000;
 constexpr std::size_t most_repeated_bytes = std::size_t{1} << 28;
 
+/// Returns a path without `..` where that leads to the same place. It does not after a folder that
+/// is a symbolic link.
+std::filesystem::path without_detours(const std::filesystem::path& path) {
+    std::filesystem::path normal = path.lexically_normal();
+    std::error_code none;
+    const bool is_same = normal == path || std::filesystem::weakly_canonical(path, none) ==
+                                               std::filesystem::weakly_canonical(normal, none);
+    return is_same ? normal : path;
+}
+
 }  // namespace
 
 TokenStream::TokenStream(std::string_view text, const std::string& path, const std::string& root,
@@ -49,7 +59,7 @@ FileLoc TokenStream::loc() {
 
 std::optional<std::string> TokenStream::resolve(const std::string& name, FileLoc where) const {
     if (name.empty()) return name;
-    std::string path = (directory_ / name).lexically_normal().string();
+    std::string path = without_detours(directory_ / name).string();
     const std::string error = scope_.check(path);
     if (error.empty()) return path;
     log_.fatal(where, "root", "{}", error);
