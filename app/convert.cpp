@@ -65,29 +65,26 @@ bool is_pbrt_to_pbrt(const ConvertArguments& a, std::string_view text) {
            format_of(text, a.scene.path, a.scene.options) == "pbrt";
 }
 
-/// Writes the scene, unless to one of the files that it was read from. Returns the exit status.
-int write(const ConvertArguments& a, const ReadLog& read, const std::string& text) {
-    const std::set<std::string> inputs = read.paths();
-    if (const std::string error = find_clash({a.output}, {inputs.begin(), inputs.end()});
-        !error.empty()) {
-        print_message("etalon: error: {}\n", error);
-        return exit_usage;
-    }
+/// Writes the scene, unless to one of its files. Returns the exit status.
+int write(const ConvertArguments& a, const std::vector<std::string>& scene_files,
+          const std::string& text) {
+    if (refuse_outputs({a.output}, scene_files)) return exit_usage;
     return write_text(a.output, text) ? exit_done : exit_not_written;
 }
 
-int normalize_pbrt(const ConvertArguments& a, const ReadLog& read, std::string_view text) {
+int normalize_pbrt(const ConvertArguments& a, std::string_view text) {
+    const ReadLog read(ReadLog::Keeps::paths);
     const pbrt::NormalizedFile file =
         pbrt::normalize(text, a.scene.path, output_directory(a), a.scene.options);
     if (file.text && refuse_frame(a.scene, file.frames)) return exit_usage;
     write_message(report(file.diagnostics));
     if (!file.text) return exit_unusable;
-    return write(a, read, *file.text);
+    const std::set<std::string> files = read.paths();
+    return write(a, {files.begin(), files.end()}, *file.text);
 }
 
-int convert_text(const ConvertArguments& a, const ReadLog& read,
-                 std::optional<std::string_view> text) {
-    if (text && is_pbrt_to_pbrt(a, *text)) return normalize_pbrt(a, read, *text);
+int convert_text(const ConvertArguments& a, std::optional<std::string_view> text) {
+    if (text && is_pbrt_to_pbrt(a, *text)) return normalize_pbrt(a, *text);
     const LoadedScene loaded = load(a.scene, text);
     if (!loaded.scene) return loaded.status;
     if (loaded.scene->is_physical()) {
@@ -97,7 +94,7 @@ int convert_text(const ConvertArguments& a, const ReadLog& read,
     }
     const WrittenScene written = writer_of(a)(*loaded.scene, loaded.settings, output_directory(a));
     if (!tolerates(a, written)) return exit_unusable;
-    return write(a, read, written.text);
+    return write(a, loaded.files, written.text);
 }
 
 int convert(const ConvertArguments& a) {
@@ -107,10 +104,8 @@ int convert(const ConvertArguments& a) {
     }
     limit_memory(a.scene);
     try {
-        const ReadLog read;
         const FileText file = read_file(a.scene.path);
-        return convert_text(a, read,
-                            file.error.empty() ? std::optional(file.text()) : std::nullopt);
+        return convert_text(a, file.error.empty() ? std::optional(file.text()) : std::nullopt);
     } catch (const std::bad_alloc&) {
         print_message("{}: error: does not fit into memory\n", a.scene.path);
         return exit_unusable;

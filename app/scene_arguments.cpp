@@ -7,6 +7,8 @@
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/memory_limit.h"
+#include "app/common/output.h"
+#include "app/common/scene_files.h"
 
 namespace etalon {
 namespace {
@@ -80,6 +82,14 @@ bool refuse_frame(const SceneArguments& a, int frames) {
     return true;
 }
 
+bool refuse_outputs(const std::vector<std::string>& outputs,
+                    const std::vector<std::string>& scene_files) {
+    const std::string error = find_clash(outputs, scene_files);
+    if (error.empty()) return false;
+    print_message("etalon: error: {}\n", error);
+    return true;
+}
+
 void limit_memory(const SceneArguments& a) {
     limit_memory(parse_bytes(a.max_memory).value_or(0));
 }
@@ -87,6 +97,7 @@ void limit_memory(const SceneArguments& a) {
 LoadedScene load(SceneArguments a, std::optional<std::string_view> text) {
     limit_memory(a);
     a.options.legacy = !a.legacy.empty();
+    const ReadLog read(ReadLog::Keeps::paths);
     LoadResult result =
         text ? load_scene_text(*text, a.path, a.options) : load_scene(a.path, a.options);
     if (result.scene && refuse_frame(a, result.frames)) return {std::nullopt, {}, exit_usage, {}};
@@ -98,8 +109,13 @@ LoadedScene load(SceneArguments a, std::optional<std::string_view> text) {
                       result.scene->format);
         return {std::nullopt, {}, exit_usage, {}};
     }
-    return {std::move(result.scene), std::move(result.settings), exit_done,
-            std::move(result.diagnostics), result.frames};
+    std::vector<std::string> files = scene_files(read, *result.scene);
+    return {std::move(result.scene),
+            std::move(result.settings),
+            exit_done,
+            std::move(result.diagnostics),
+            result.frames,
+            std::move(files)};
 }
 
 }  // namespace etalon

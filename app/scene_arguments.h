@@ -25,11 +25,17 @@ struct LoadedScene {
     RenderSettings settings;     ///< the file's settings
     int status = 0;
     std::vector<Diagnostic> diagnostics;
-    int frames = 1;  ///< number of frames in the file
+    int frames = 1;                    ///< number of frames in the file
+    std::vector<std::string> files{};  ///< see scene_files()
 };
 
 /// Reports that a file has fewer frames than --frame requests; returns false if it has enough.
 bool refuse_frame(const SceneArguments& arguments, int frames);
+
+/// Reports that an output is one of the files of a scene, which it would replace; returns false if
+/// none is.
+bool refuse_outputs(const std::vector<std::string>& outputs,
+                    const std::vector<std::string>& scene_files);
 
 /// Limits the memory of the process by --max-memory.
 void limit_memory(const SceneArguments& arguments);

@@ -32,7 +32,9 @@ bool is_device(const std::string& path) {
 
 bool is_same_file(const std::string& a, const std::string& b) {
     std::error_code none;
-    if (fs::equivalent(a, b, none)) return true;
+    if (const bool a_exists = fs::exists(a, none); a_exists || fs::exists(b, none)) {
+        return fs::equivalent(a, b, none);
+    }
     const auto place_of = [&](const std::string& path) {
         return fs::weakly_canonical(fs::absolute(link_target(path), none), none);
     };

@@ -55,6 +55,7 @@ int run(const Arguments& a) {
     }
     LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;
+    if (refuse_outputs({a.json, a.rays_out}, loaded.files)) return exit_usage;
     if (!make_cut_outs(*loaded.scene, a.scene)) return exit_unusable;
     const SignalGuard signals;
     const crosscheck::Results results = crosscheck_scene(a, loaded, signals.raised());

@@ -16,13 +16,14 @@ std::string default_output(const std::string& scene) {
     return stem + ".exr";
 }
 
-int check_image_files(const RenderArguments& a) {
-    std::vector<std::string> paths = a.outputs;
+int check_image_files(const RenderArguments& a, const std::vector<std::string>& scene_files) {
+    std::vector<std::string> paths = a.outputs, inputs = scene_files;
+    inputs.insert(inputs.end(), {a.scene.path, a.reference});
     paths.push_back(a.stats);
-    auto [error, status] = check_outputs(paths, {a.scene.path, a.reference});
+    auto [error, status] = check_outputs(paths, inputs);
     paths.push_back(a.checkpoint);
     if (error.empty()) {
-        error = find_clash(paths, {a.scene.path, a.reference});
+        error = find_clash(paths, inputs);
         status = exit_usage;
     }
     const bool uses_standard_output = std::ranges::count(paths, "-") > 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/render/arguments.h"
 #include "app/render/kept_state.h"
@@ -12,9 +13,9 @@ namespace etalon {
 /// Returns the default output of `scene`.
 std::string default_output(const std::string& scene);
 
-/// Returns the exit status if outputs cannot be written, as far as can be told in advance, and
-/// prints why.
-int check_image_files(const RenderArguments& a);
+/// Returns the exit status if outputs cannot be written, as far as can be told in advance, or would
+/// replace one of the scene's files, and prints why.
+int check_image_files(const RenderArguments& a, const std::vector<std::string>& scene_files);
 
 /// Writes the image to one of the outputs, with the film of a part if the format can hold it.
 /// Returns false, and prints why, if that failed.

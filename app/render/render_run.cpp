@@ -65,7 +65,7 @@ int RenderRun::work() {
 int RenderRun::render_and_write() {
     limit_threads(a_.threads);
     if (const int status = prepare(); status != exit_done) return status;
-    if (const int status = check_image_files(a_); status != exit_done) return status;
+    if (const int status = check_image_files(a_, scene_files_); status != exit_done) return status;
     if (!open_views() || !build() || !open_kept() || !open_reference()) return exit_unusable;
     source_.send(kept_.scene_files());
     const Rendering rendering = render_image();
@@ -90,6 +90,7 @@ int RenderRun::prepare() {
     scene_ = std::move(*loaded.scene);
     settings_ = std::move(loaded.settings);
     prepare_scene(a_.integrator, scene_, settings_);
+    scene_files_ = std::move(loaded.files);
     stats_.parse = watch_.lap();
     const std::string error = apply_overrides(a_, scene_, settings_);
     if (!error.empty()) return fail_with(error), exit_usage;

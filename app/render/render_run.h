@@ -70,6 +70,7 @@ class RenderRun {
     std::optional<SignalGuard> signals_;  ///< once there is something to save
     Stopwatch watch_;
     Scene scene_;
+    std::vector<std::string> scene_files_;
     RenderSettings settings_;
     RenderStats stats_;
     std::optional<Reference> reference_;

@@ -60,6 +60,7 @@ int trace(const TraceArguments& a) {
     if (const int status = check_files(a); status != exit_done) return status;
     LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;
+    if (refuse_outputs({a.output}, loaded.files)) return exit_usage;
     if (!make_cut_outs(*loaded.scene, a.scene)) return exit_unusable;
     const Scene& scene = *loaded.scene;
     auto rays = read_rays(a.rays);

@@ -20,6 +20,7 @@
 #include "bench/convergence/measure_foreign.h"
 #include "bench/frames/process_start.h"
 #include "bench/scenes/bench_scene.h"
+#include "core/base/read_log.h"
 #include "core/scene/resize.h"
 
 namespace etalon {
@@ -128,9 +129,18 @@ void warn_of_replaced_images(const ConvergenceArguments& a, const Scene& scene,
     write_message(stand_in_warnings(scene, a.scene, problems));
 }
 
+/// Returns that an output would replace a file that was read or belongs to the scene; empty if none
+/// would.
+std::string find_lost(const ConvergenceArguments& a, const ReadLog& read,
+                      std::vector<std::string> scene_files) {
+    std::ranges::copy(read.paths(), std::back_inserter(scene_files));
+    return find_clash({a.json, a.csv}, scene_files);
+}
+
 int measure_convergence(ConvergenceArguments a) {
-    const auto [error, status] = check_outputs({a.json, a.csv}, {a.scene});
+    const auto [error, status] = check_outputs({a.json, a.csv}, {a.scene, a.reference, a.foreign});
     if (!error.empty()) return fail(status, error);
+    const ReadLog read(ReadLog::Keeps::paths);
     Stopwatch reading;
     bench::NamedScene named = bench::bench_scene(a.scene);
     a.config.reading_seconds = frames::seconds_before_main() + reading.lap().cpu;
@@ -145,6 +155,8 @@ int measure_convergence(ConvergenceArguments a) {
         write_message(why.empty() ? "" : why + "\n");
         if (!why.empty()) return exit_unusable;
     }
+    const std::string lost = find_lost(a, read, named.files);
+    if (!lost.empty()) return fail(exit_usage, lost);
     const SignalGuard signals;
     const std::string why = measure_integrators(a, named, signals.raised(), all);
     if (!why.empty()) return fail(exit_unusable, why);

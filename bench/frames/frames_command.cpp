@@ -79,9 +79,14 @@ int measure_frames(FramesArguments a) {
     if (!folder.error().empty()) return fail(exit_not_written, folder.error());
     a.config.image = folder.file("frame.exr");
     const SignalGuard signals;
-    a.config.stop = &signals.raised();
+    a.plan.stop = &signals.raised();
+    std::string lost;
+    a.plan.objection = [&](const std::vector<std::string>& files) {
+        return lost = find_clash({a.json}, files);
+    };
     std::vector<frames::FrameFigures> figures;
     const std::string error = measure_all(a, figures);
+    if (!lost.empty()) return fail(exit_usage, lost);
     if (!error.empty()) fail(exit_unusable, error);
     const bool by_signal = signals.signal() != 0;
     const Json stopped = by_signal ? Json("signal") : error.empty() ? Json() : Json("error");

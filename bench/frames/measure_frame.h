@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,10 @@ struct FrameConfig {
     int repeats = 5;
     int width = 0;    ///< of the image in pixels, with the scene's aspect; 0: the scene's
     int samples = 0;  ///< per pixel; 0: the scene's
-    std::vector<std::string> backends;        ///< empty: the scene's
-    std::string image;                        ///< path of the EXR that is written and replaced
+    std::vector<std::string> backends;  ///< empty: the scene's
+    std::string image;                  ///< path of the EXR that is written and replaced
+    /// If set, returns why a scene made of these files must not be measured, or nothing.
+    std::function<std::string(const std::vector<std::string>&)> check_files{};
     const std::atomic<bool>* stop = nullptr;  ///< if set, stop soon, with fewer repeats
     Deadline deadline{};                      ///< likewise if it is over
 

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "app/common/scene_files.h"
 #include "app/common/stand_ins.h"
 #include "bench/scenes/bench_families.h"
 #include "core/formats/load.h"
@@ -47,14 +48,18 @@ std::string names_of_families() {
 }
 
 NamedScene from_file(const std::string& path) {
+    const ReadLog read(ReadLog::Keeps::paths);
     LoadResult loaded = load_scene(path);
     std::string messages = report(loaded.diagnostics);
+    std::vector<std::string> files;
     if (loaded.scene) {
+        files = scene_files(read, *loaded.scene);
         std::vector<std::string> problems;
         make_cut_outs(*loaded.scene, problems);
         messages += stand_in_warnings(*loaded.scene, path, problems);
     }
-    return {std::move(loaded.scene), std::move(loaded.settings), std::move(messages)};
+    return {std::move(loaded.scene), std::move(loaded.settings), std::move(messages),
+            std::move(files)};
 }
 
 }  // namespace

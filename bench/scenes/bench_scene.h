@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/scene/render_settings.h"
 #include "core/scene/scene.h"
@@ -14,9 +15,10 @@ namespace etalon::bench {
 std::string check_scene_name(const std::string& name);
 
 struct NamedScene {
-    std::optional<Scene> scene;  ///< nothing if there is no such scene
-    RenderSettings settings;     ///< settings for rendering it
-    std::string messages;        ///< messages for the user, whole lines
+    std::optional<Scene> scene;        ///< nothing if there is no such scene
+    RenderSettings settings;           ///< settings for rendering it
+    std::string messages;              ///< messages for the user, whole lines
+    std::vector<std::string> files{};  ///< see scene_files()
 };
 
 NamedScene bench_scene(const std::string& name);

@@ -157,6 +157,10 @@ int measure_speed(const SpeedArguments& a) {
             save_part(a, json, "error", "Ended at a scene that cannot be read: " + name);
             return exit_unusable;
         }
+        if (const std::string clash = find_clash({a.json}, named.files); !clash.empty()) {
+            print_message("etalon-bench: error: {}\n", clash);
+            return exit_usage;
+        }
         const SceneFigures figures =
             measure(a, name, std::move(*named.scene), named.settings.resolution, signals.raised());
         if (!figures.builds.empty()) json["scenes"].push_back(json_of(figures));

@@ -13,12 +13,19 @@
 
 namespace etalon {
 
-/// Records the contents of all files that any thread reads during its lifetime: those of which a
-/// scene is made. Only one may exist at a time.
+/// Records the files that any thread reads during its lifetime: those of which a scene is made.
+/// Logs may be nested: an outer one records what an inner one does. The one that was made last must
+/// end first.
 class ReadLog {
   public:
-    ReadLog() { current_ = this; }
-    ~ReadLog() { current_ = nullptr; }
+    enum class Keeps : std::uint8_t { paths, contents };
+
+    /// Without `contents`, files need not be hashed, and fingerprint() does not distinguish them.
+    explicit ReadLog(Keeps keeps = Keeps::contents)
+        : outer_(current_), needs_contents_(keeps == Keeps::contents || needs_contents()) {
+        current_ = this;
+    }
+    ~ReadLog() { current_ = outer_; }
     ReadLog(const ReadLog&) = delete;
     ReadLog& operator=(const ReadLog&) = delete;
 
@@ -46,23 +53,30 @@ class ReadLog {
         return paths;
     }
 
-    /// Returns whether there is a log.
-    static bool is_kept() { return current_ != nullptr; }
-
-    /// Records the contents of a file, if there is a log.
-    static void note(const std::string& path, std::string_view content) {
-        if (is_kept()) note_hash(path, hash64(content));
+    /// Returns whether a log needs the contents of files.
+    static bool needs_contents() {
+        const ReadLog* const log = current_;
+        return log && log->needs_contents_;
     }
+
+    /// Records a file with its contents, if there is a log.
+    static void note(const std::string& path, std::string_view content) {
+        note_hash(path, needs_contents() ? hash64(content) : 0);
+    }
+
+    /// Records a file with the hash of its contents, which is arbitrary unless needs_contents().
     static void note_hash(const std::string& path, std::uint64_t content) {
-        ReadLog* const log = current_;
-        if (!log) return;
-        const std::lock_guard lock(log->mutex_);
-        log->contents_.emplace(path, content);
+        for (ReadLog* log = current_; log; log = log->outer_) {
+            const std::lock_guard lock(log->mutex_);
+            log->contents_.emplace(path, content);
+        }
     }
 
   private:
     inline static std::atomic<ReadLog*> current_ = nullptr;
 
+    ReadLog* const outer_;
+    const bool needs_contents_;  ///< here or in an outer log
     mutable std::mutex mutex_;
     std::set<std::pair<std::string, std::uint64_t>> contents_;  ///< paths with their hashes
 };

@@ -110,6 +110,7 @@ Result<Image> read_by_kind(const std::string& path, Extent extent) {
 /// Records the file's contents for the identity of the scene.
 void note_content(const std::string& path) {
     const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+    if (!ReadLog::needs_contents()) return ReadLog::note_hash(path, 0);
     Hash64 hash;
     std::vector<char> bytes(1 << 16);
     for (std::size_t size = bytes.size(); file && size == bytes.size();) {
@@ -122,7 +123,7 @@ void note_content(const std::string& path) {
 Result<Image> read_readable(const std::string& path, Extent extent) {
     const std::string error = check_readable(path);
     if (!error.empty()) return {{}, error};
-    if (ReadLog::is_kept()) note_content(path);
+    note_content(path);
     try {
         return read_by_kind(path, extent);
     } catch (const std::bad_alloc&) {

@@ -41,14 +41,54 @@ TEST_CASE("A converted scene does not replace what it includes", "[app]") {
     CHECK(f.etalon("convert scene.pbrt -o again.pbrt").status == 0);
 }
 
-TEST_CASE("A path through a linked folder leads where it does for the system", "[app]") {
+TEST_CASE("No output replaces a file that the scene itself names", "[app]") {
     const Folder f;
-    f.shell("mkdir -p real/deep; ln -s real/deep link");
-    f.write("real/ball.pbrt", "Shape \"sphere\"\n");
-    f.write("scene.pbrt", "WorldBegin Include \"link/../ball.pbrt\" WorldEnd\n");
-    const auto r = f.etalon("info scene.pbrt");
-    CHECK(r.err == "");
-    CHECK(r.status == 0);
+    f.write("ball.p3f", small_scene);
+    f.write("rays", "0 0 5 0 0 -1 0 inf\n");
+    f.write("ball.inc", "Shape \"sphere\"\n");
+    f.write("triangle.ply",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+            "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+            "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    f.write(
+        "scene.pbrt",
+        "WorldBegin Include \"ball.inc\" Shape \"plymesh\" \"string filename\" \"triangle.ply\"\n"
+        "LightSource \"infinite\" \"string mapname\" \"scene.exr\"\n"
+        "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"texture.png\" WorldEnd\n");
+    f.write("box.p3f", small_scene + "env box\n");
+    REQUIRE(f.etalon("render ball.p3f -q -o scene.exr -o texture.png").status == 0);
+    f.shell(
+        "mkdir box; for face in right left top bottom front back; do "
+        "cp texture.png box/$face.png; done; ln -s texture.png link.png");
+    const Folder kept;
+    f.shell("cp -r . '" + kept.path("") + "'");
+    for (const char* command :
+         {"etalon render scene.pbrt --spp 1", "etalon render scene.pbrt -o texture.png",
+          "etalon render scene.pbrt -o link.png",
+          "etalon render scene.pbrt -o a.exr --stats ball.inc",
+          "etalon render scene.pbrt -o a.exr --checkpoint triangle.ply",
+          "etalon render box.p3f -o box/left.png",
+          "etalon trace scene.pbrt --rays rays -o ball.inc",
+          "etalon crosscheck scene.pbrt --rays 9 --json triangle.ply",
+          "etalon-bench speed --scene scene.pbrt --only-build --json ball.inc",
+          "etalon-bench frames scene.pbrt --repeat 1 --json texture.png",
+          "etalon-bench convergence scene.pbrt --spp 4 --csv scene.exr",
+          "etalon-bench convergence ball.p3f --spp 4 --reference scene.exr --csv scene.exr"}) {
+        const auto r = f.shell(ETALON_BINARY_DIR "/bin/" + std::string(command));
+        INFO(command);
+        CHECK(r.status == 2);
+        CHECK_THAT(r.err, ContainsSubstring("is an input, which would be lost"));
+    }
+    CHECK(f.shell("diff -r . '" + kept.path("") + "'").out == "");
+}
+
+TEST_CASE("An image that a scene names and nobody has yet may be made", "[app]") {
+    const Folder f;
+    f.write("scene.pbrt",
+            "WorldBegin LightSource \"infinite\" \"string mapname\" \"scene.exr\" "
+            "Shape \"sphere\" WorldEnd\n");
+    CHECK(f.etalon("render scene.pbrt --spp 1 -q").status == 0);
+    CHECK(f.has("scene.exr"));
 }
 
 TEST_CASE("A file for two outputs is refused", "[app]") {
