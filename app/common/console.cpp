@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -40,6 +41,26 @@ void note_failure(Errno failure) {
     if (result_failure == 0) result_failure = failure;
 }
 
+bool is_printable_lines(std::string_view text) {
+    return std::ranges::none_of(text, [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return (byte < ' ' && c != '\n') || byte == 0x7F || byte == 0xC2;
+    });
+}
+
+std::string printable_lines(std::string_view text) {
+    std::string lines;
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        lines += printable(line);
+        text.remove_prefix(line.size());
+        if (text.empty()) break;
+        lines += '\n';
+        text.remove_prefix(1);
+    }
+    return lines;
+}
+
 std::string_view view_of(const fmt::memory_buffer& text) {
     return {text.data(), text.size()};
 }
@@ -66,16 +87,18 @@ std::string held_messages() {
 
 void write_message(std::string_view text) noexcept {
     if (held.is_on) return hold(text);
-    write_all(STDERR_FILENO, text);
-}
-
-void write_message(fmt::string_view format, fmt::format_args values) noexcept {
+    if (is_printable_lines(text)) {  // needs no memory, which may have run out
+        write_all(STDERR_FILENO, text);
+        return;
+    }
     try {
-        fmt::memory_buffer text;
-        fmt::vformat_to(fmt::appender(text), format, values);
-        write_message(view_of(text));
+        write_all(STDERR_FILENO, printable_lines(text));
     } catch (const std::exception&) {  // out of memory, even for the message
     }
+}
+
+void write_fleeting(std::string_view line) noexcept {
+    write_all(STDERR_FILENO, line);
 }
 
 bool write_result(std::string_view text) noexcept {

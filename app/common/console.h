@@ -5,8 +5,12 @@
 
 #include <fmt/format.h>
 
+#include <exception>
 #include <string>
 #include <string_view>
+#include <type_traits>
+
+#include "core/base/printable.h"
 
 namespace etalon {
 
@@ -16,9 +20,13 @@ namespace etalon {
 /// reader becomes an ordinary error.
 void prepare_standard_streams();
 
-/// Writes to standard error, as far as possible; the rest is lost.
+/// Writes whole lines to standard error, as far as possible; the rest is lost. Each line is made
+/// printable().
 void write_message(std::string_view text) noexcept;
-void write_message(fmt::string_view format, fmt::format_args values) noexcept;
+
+/// Writes a line to the terminal at standard error that is to be replaced by the next message, with
+/// what controls the terminal.
+void write_fleeting(std::string_view line) noexcept;
 
 /// Stores messages from now on instead of writing them to standard error.
 void hold_messages() noexcept;
@@ -30,10 +38,25 @@ std::string held_messages();
 bool write_result(std::string_view text) noexcept;
 bool write_result(fmt::string_view format, fmt::format_args values) noexcept;
 
+/// Returns a value as it may be shown in a message: texts become printable().
+template <class T>
+decltype(auto) shown_value(const T& value) {
+    if constexpr (std::is_convertible_v<const T&, std::string_view>) {
+        return printable(value);
+    } else {
+        return (value);
+    }
+}
+
 /// Formats a message for standard error.
 template <class... T>
 void print_message(fmt::format_string<T...> format, T&&... values) noexcept {
-    write_message(format, fmt::make_format_args(values...));
+    try {
+        [&](const auto&... shown) {
+            write_message(fmt::vformat(format, fmt::make_format_args(shown...)));
+        }(shown_value(values)...);
+    } catch (const std::exception&) {  // out of memory, even for the message
+    }
 }
 
 /// Formats results for standard output.

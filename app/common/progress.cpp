@@ -35,7 +35,7 @@ Progress::Progress(std::string what)
       last_(start_) {}
 
 Progress::~Progress() {
-    if (terminal_ && printed_) print_message("\r\x1b[K");
+    if (terminal_ && printed_) write_fleeting("\r\x1b[K");
 }
 
 void Progress::update(double part) {
@@ -50,8 +50,10 @@ void Progress::update(double part) {
 
 void Progress::print(double part, Clock::time_point now) {
     const double elapsed = seconds(now - start_);
-    if (terminal_)
-        return print_message("\r{}\x1b[K", progress_line(what_, part, elapsed, columns()));
+    if (terminal_) {
+        const std::string line = progress_line(what_, part, elapsed, columns());
+        return write_fleeting("\r" + line + "\x1b[K");
+    }
     const double left = part > 0 ? elapsed * (1 - part) / part : 0;
     print_message("{}: {:.0f} %, {:.1f} s, {:.0f} s left\n", what_, 100 * part, elapsed, left);
 }

@@ -4,8 +4,13 @@
 
 #include <algorithm>
 
+#include "core/base/printable.h"
+
 namespace etalon {
 namespace {
+
+/// Bytes of a message that are shown, and of its file's name.
+constexpr std::size_t longest_message = 2000, longest_name = 1000;
 
 const char* name(Severity severity) {
     return severity == Severity::error ? "error" : "warning";
@@ -29,8 +34,10 @@ KindCount& count_of(const Diagnostic& d, std::vector<KindCount>& counts) {
 }  // namespace
 
 std::string to_string(const Diagnostic& d) {
-    if (d.line == 0) return fmt::format("{}: {}: {}", d.file, name(d.severity), d.message);
-    return fmt::format("{}:{}:{}: {}: {}", d.file, d.line, d.column, name(d.severity), d.message);
+    const std::string file = printable(d.file, longest_name);
+    const std::string message = printable(d.message, longest_message);
+    if (d.line == 0) return fmt::format("{}: {}: {}", file, name(d.severity), message);
+    return fmt::format("{}:{}:{}: {}: {}", file, d.line, d.column, name(d.severity), message);
 }
 
 std::string report(const std::vector<Diagnostic>& diagnostics, int limit) {
@@ -48,8 +55,9 @@ std::string report(const std::vector<Diagnostic>& diagnostics, int limit) {
     }
     for (const KindCount& t : counts) {
         if (t.hidden == 0) continue;
-        text += fmt::format("{}: {}: {} more of this kind ({})\n", t.first->file,
-                            name(t.first->severity), t.hidden, t.first->kind);
+        text += fmt::format("{}: {}: {} more of this kind ({})\n",
+                            printable(t.first->file, longest_name), name(t.first->severity),
+                            t.hidden, t.first->kind);
     }
     return text;
 }

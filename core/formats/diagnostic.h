@@ -23,7 +23,7 @@ struct Diagnostic {
 /// Number of diagnostics of a kind that are shown.
 inline constexpr int diagnostics_of_a_kind = 20;
 
-/// Returns "FILE:LINE:COLUMN: error|warning: message".
+/// Returns "FILE:LINE:COLUMN: error|warning: message": a printable() line of bounded length.
 std::string to_string(const Diagnostic& diagnostic);
 
 /// Returns the diagnostics as text, one per line: at most `limit` of a kind, then how many more

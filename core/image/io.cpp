@@ -15,6 +15,7 @@
 #include <optional>
 #include <system_error>
 
+#include "core/base/printable.h"
 #include "core/base/read_log.h"
 #include "core/image/atomic_file.h"
 #include "core/image/encode.h"
@@ -109,8 +110,8 @@ Result<Image> read_by_kind(const std::string& path, Extent extent) {
 
 /// Records the file's contents for the identity of the scene.
 void note_content(const std::string& path) {
-    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
     if (!ReadLog::needs_contents()) return ReadLog::note_hash(path, 0);
+    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
     Hash64 hash;
     std::vector<char> bytes(1 << 16);
     for (std::size_t size = bytes.size(); file && size == bytes.size();) {
@@ -130,6 +131,8 @@ Result<Image> read_readable(const std::string& path, Extent extent) {
         return {{}, lack_of_memory};
     }
 }
+
+constexpr std::string_view before_reason = ": cannot be read: ";
 
 }  // namespace
 
@@ -165,9 +168,22 @@ std::string write_image(const std::string& path, const RenderedImage& image, dou
 }
 
 Result<Image> read_image(const std::string& path, Extent extent) {
+    constexpr std::size_t longest = 400;
     Result<Image> image = read_readable(path, extent);
-    if (!image) image.error = path + ": cannot be read: " + image.error;
+    if (!image) {
+        const std::string reason = printable(image.error, longest);
+        image.error = path_in_reason(path).append(before_reason).append(reason);
+    }
     return image;
+}
+
+std::string path_in_reason(const std::string& path) {
+    constexpr std::size_t longest = 1000;
+    return printable(path, longest);
+}
+
+std::string path_of_reason(const std::string& reason) {
+    return reason.substr(0, reason.rfind(before_reason));
 }
 
 }  // namespace etalon

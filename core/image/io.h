@@ -31,8 +31,14 @@ bool can_hold_channels(const std::string& path);
 bool has_exposure(const std::string& path);
 
 /// Reads an image file of the type that its first bytes show: EXR by OpenEXR, PNG by libpng, JPEG
-/// by libjpeg; anything else by OpenImageIO. A failure's reason begins with the path and quotes no
-/// library.
+/// by libjpeg; anything else by OpenImageIO. A failure's reason begins with the path, quotes no
+/// library, and is a printable() line of bounded length.
 Result<Image> read_image(const std::string& path, Extent extent = Extent::whole);
+
+/// Returns a path as such a reason begins with it.
+std::string path_in_reason(const std::string& path);
+
+/// Returns what such a reason begins with.
+std::string path_of_reason(const std::string& reason);
 
 }  // namespace etalon

@@ -24,7 +24,7 @@ struct Arguments {
 };
 
 int fail(ExitStatus status, const std::string& message) {
-    print_message("etalon-scenes: error: {}\n", message);
+    write_message("etalon-scenes: error: " + message + "\n");
     return status;
 }
 

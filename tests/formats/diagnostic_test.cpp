@@ -33,6 +33,13 @@ TEST_CASE("a diagnostic is written as FILE:LINE:COLUMN") {
     CHECK(to_string({Severity::warning, "k", "a.p3f", 0, 0, "no"}) == "a.p3f: warning: no");
 }
 
+TEST_CASE("a diagnostic is one line of bounded length, whatever names are in it") {
+    CHECK(to_string({Severity::error, "k", "a\n\x1B[31m", 3, 7, "'\b\r\x7F\t\xC2\x9B' \xC3\xA9"}) ==
+          "a\\x0a\\x1b[31m:3:7: error: '\\x08\\x0d\\x7f\\x09\\xc2\\x9b' \xC3\xA9");
+    const std::string large(1'000'000, '\n');
+    CHECK(to_string({Severity::error, "k", large, 3, 7, large}).size() < 4000);
+}
+
 TEST_CASE("a report shows at most so many of a kind and counts the rest") {
     std::vector<Diagnostic> list;
     for (int i = 1; i <= 25; ++i) list.push_back(warning("a", i));
