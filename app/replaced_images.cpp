@@ -21,8 +21,8 @@ bool tolerates(const Scene& scene, const SceneArguments& arguments,
                const std::vector<std::string>& problems) {
     for (auto problem = problems.begin(); problem != problems.end(); ++problem) {
         if (std::find(problems.begin(), problem, *problem) != problem) continue;
-        const char* const severity = is_tolerable(*problem, arguments) ? "warning" : "error";
-        write_message(stand_in_message(scene, arguments.path, severity, *problem));
+        const bool is_fine = is_tolerable(*problem, arguments);
+        list.push_back({is_fine ? Severity::warning : Severity::error, *problem});
     }
     return std::ranges::all_of(problems, [&](const auto& p) { return is_tolerable(p, arguments); });
 }
@@ -34,3 +34,5 @@ bool make_cut_outs(Scene& scene, const SceneArguments& arguments) {
 }
 
 }  // namespace etalon
+    std::vector<ImageProblem> list;
+    write_message(report(stand_ins(scene, arguments.path, list)));

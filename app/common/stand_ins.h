@@ -2,20 +2,26 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "core/formats/diagnostic.h"
 #include "core/scene/scene.h"
 
 namespace etalon {
 
-/// Returns "PLACE: SEVERITY: PROBLEM; COLOUR stands in" as a line: the place of the statement that
-/// names the image with whose path the problem begins, or the scene's path.
-std::string stand_in_message(const Scene& scene, std::string_view path, std::string_view severity,
-                             std::string_view problem);
+/// Why an image could not be read, as read_image() says it.
+struct ImageProblem {
+    Severity severity;
+    std::string reason;
+};
 
-/// Returns these messages as warnings, one for each problem.
-std::string stand_in_warnings(const Scene& scene, std::string_view path,
+/// Returns what stands in for images: for each problem a diagnostic for each statement that names
+/// the image, or one about the scene's file.
+std::vector<Diagnostic> stand_ins(const Scene& scene, const std::string& path,
+                                  const std::vector<ImageProblem>& problems);
+
+/// Returns these as the text of warnings, for each problem once.
+std::string stand_in_warnings(const Scene& scene, const std::string& path,
                               const std::vector<std::string>& problems);
 
 }  // namespace etalon

@@ -1,5 +1,6 @@
 // Malformed PBRT scenes: each error is reported with its position, and none crashes the program or
 // takes time or memory out of proportion to the file.
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -73,6 +74,36 @@ TEST_CASE("Files that a PBRT scene lacks are said at the statement that names th
 
 TEST_CASE("An image of no pixels, or of more than there are, is replaced by grey", "[app]") {
     const Folder f;
+TEST_CASE("Every statement that names an image that cannot be read is said", "[app]") {
+    const Folder f;
+    const std::string world = "LightSource \"infinite\" \"string mapname\" \"none.png\"\n" +
+                              grey_texture +
+                              "\nTexture \"t\" \"float\" \"imagemap\" \"string filename\" "
+                              "\"none.png\"";
+    check_said(f, world, "bad.pbrt:7:1: warning: none.png: cannot be read: No such file");
+    check_said(f, world, "bad.pbrt:8:1: warning: none.png: cannot be read: No such file");
+    check_said(f, world, "bad.pbrt:9:1: warning: none.png: cannot be read: No such file");
+    check_said(f, "Texture \"t\" \"spectrum\" \"imagemap\"",
+               "bad.pbrt:7:1: warning: 'filename' is missing; grey stands in");
+    std::string textures;
+    for (int i = 0; i < 30; ++i) textures += grey_texture + "\n";
+    check_said(f, textures, "bad.pbrt: warning: 10 more of this kind (image)");
+}
+
+TEST_CASE("Names in a PBRT scene neither control a terminal nor forge a message", "[app]") {
+    const Folder f;
+    const std::string escape = "\x1B[31m", name = "a\\nb.pbrt:1:1: error: c\\b" + escape;
+    const ProgramResult r =
+        rendered(f, scene_with("LightSource \"infinite\" \"string mapname\" \"" + name + "\"\n" +
+                               "Texture \"" + escape +
+                               "\" \"spectrum\" \"imagemap\" \"string filename\" \"" + name +
+                               "\"\nMaterial \"matte\" \"texture Kd\" \"" + escape +
+                               "0\"\nShape \"plymesh\" \"string filename\" \"" + name + "\""));
+    CHECK(r.err.find_first_of("\x1B\b") == std::string::npos);
+    CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 4);
+    CHECK_THAT(r.err, ContainsSubstring("bad.pbrt:7:1: warning: a\\x0ab.pbrt:1:1: error: c\\x08"));
+}
+
     const std::string nothing("\0\0\0\0\0\0\0\0", 8), most("\x7F\xFF\xFF\xFF\x7F\xFF\xFF\xFF");
     for (const std::string& size : {nothing, most}) {
         std::string png("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16);

@@ -93,8 +93,8 @@ void build_lights(SceneBuilder& b) {
         Lights& lights = b.look().lights;
         entry->add(light.plugin.parameters, *to_world, lights);
         if (light.plugin.type->find("mapname")) {
-            b.name_image(std::string(light.plugin.parameters.string("mapname")), light.plugin.where,
-                         "a light without an image");
+            const std::string map(light.plugin.parameters.string("mapname"));
+            if (!map.empty()) b.name_image(map, light.plugin.where, "a light without an image");
         }
         if (auto* source = std::get_if<InfiniteSource>(&lights.back())) {
             source->samples = light_samples(b, light.plugin.parameters);

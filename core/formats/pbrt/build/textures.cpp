@@ -150,10 +150,8 @@ etalon::Texture<T> image_map(SceneBuilder& b, const pbrt::Texture& t) {
     };
     const auto found = std::ranges::find_if(images, same);
     const auto number = static_cast<std::uint32_t>(found - images.begin());
-    if (found == images.end()) {
-        images.push_back(image);
-        b.name_image(file, t.plugin.where, "grey");
-    }
+    if (found == images.end()) images.push_back(image);
+    b.name_image(file, t.plugin.where, "grey");
     return ImageTexture<T>{mapping(b, t), number};
 }
 
