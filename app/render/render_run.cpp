@@ -84,6 +84,7 @@ int RenderRun::render_and_write() {
 }
 
 int RenderRun::prepare() {
+    if (a_.integrator != scene_integrator) a_.scene.options.integrator = a_.integrator;
     LoadedScene loaded = source_.load();
     if (!loaded.scene) return loaded.status;
     signals_.emplace();

@@ -28,6 +28,10 @@ struct LoadOptions {
     /// Number of the frame to load from a file with several, from 1; the last one if there are
     /// fewer. 0: the first, with a warning if there are more.
     int frame = 0;
+
+    /// Name of the integrator that renders instead of the file's, for warnings about what it leaves
+    /// out; empty: the file's.
+    std::string integrator{};
 };
 
 struct LoadResult {

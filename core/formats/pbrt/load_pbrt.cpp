@@ -45,7 +45,8 @@ LoadResult load_pbrt(std::string_view text, const std::string& path, const LoadO
     result.scene.emplace();
     result.scene->look = PhysicalLook{};
     const int number = std::clamp(options.frame, 1, result.frames);
-    SceneBuilder b{file, file.frames[static_cast<std::size_t>(number - 1)], options.strict, result};
+    SceneBuilder b{file, file.frames[static_cast<std::size_t>(number - 1)], options.strict, result,
+                   options.integrator};
     build_settings(b);
     build_camera(b);
     build_textures(b);

@@ -90,6 +90,28 @@ TEST_CASE("an integrator that ignores media causes a warning at its statement") 
                "renders them"});
 }
 
+TEST_CASE("the integrator chosen instead of the file's causes the warning of ignored media") {
+    const auto said = [](const std::string& integrator, const std::string& chosen) {
+        LoadOptions options;
+        options.integrator = chosen;
+        const LoadResult r = load_scene_text("Integrator \"" + integrator +
+                                                 "\" WorldBegin\n"
+                                                 "MakeNamedMedium \"m\" \"string type\" "
+                                                 "\"homogeneous\" MediumInterface \"m\" WorldEnd\n",
+                                             "a.pbrt", options);
+        return report(r.diagnostics);
+    };
+    for (const char* integrator : {"path", "volpath", "bdpt", "ambientocclusion"}) {
+        CAPTURE(integrator);
+        CHECK(said(integrator, "volpath") == "");
+        for (const std::string chosen : {"path", "ao"}) {
+            CHECK(said(integrator, chosen) == "a.pbrt:2:1: warning: integrator \"" + chosen +
+                                                  "\" leaves out media, as in pbrt-v3; "
+                                                  "\"volpath\" renders them\n");
+        }
+    }
+}
+
 TEST_CASE("numbers that no medium can have are replaced, and named") {
     const std::string before = "MakeNamedMedium \"m\" \"string type\" \"homogeneous\" ";
     CHECK(said_of_world(before + "\"float g\" 1") ==

@@ -51,6 +51,19 @@ PhysicalMedium build_medium(SceneBuilder& b, const Medium& medium) {
     return built.grid ? built : PhysicalMedium{Color(0.0F), Color(0.0F)};
 }
 
+/// Warns if the integrator ignores the media that are used: at the statement that chooses it, or at
+/// the first medium if the file does not.
+void warn_of_media(SceneBuilder& b) {
+    const bool is_files = b.integrator.empty();
+    const Plugin& files = b.frame.integrator;
+    const std::string_view renderer = is_files ? b.result.settings.integrator : b.integrator;
+    if (!b.frame.has_media || renderer == "volpath") return;
+    const bool is_at_integrator = is_files || b.frame.media.empty();
+    b.warn(is_at_integrator ? files.where : b.frame.media.front().plugin.where, "media",
+           "integrator \"{}\" leaves out media, as in pbrt-v3; \"volpath\" renders them",
+           is_files ? files.type->name : b.integrator);
+}
+
 }  // namespace
 
 void build_media(SceneBuilder& b) {
@@ -58,11 +71,7 @@ void build_media(SceneBuilder& b) {
         b.look().media.push_back(build_medium(b, medium));
     }
     b.look().camera_medium = b.frame.camera_medium;
-    const Plugin& integrator = b.frame.integrator;
-    if (!b.frame.has_media || b.result.settings.integrator == "volpath") return;
-    b.warn(integrator.where, "media",
-           "integrator \"{}\" leaves out media, as in pbrt-v3; \"volpath\" renders them",
-           integrator.type->name);
+    warn_of_media(b);
 }
 
 }  // namespace etalon::pbrt

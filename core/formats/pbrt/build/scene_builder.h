@@ -27,7 +27,8 @@ struct SceneBuilder {
     const ParsedFile& file;
     const Frame& frame;
     bool strict;
-    LoadResult& result;  ///< with a scene of a physical look
+    LoadResult& result;           ///< with a scene of a physical look
+    std::string_view integrator;  ///< see LoadOptions
 
     PlyFiles ply_files{frame, strict};
     BsdfFiles bsdf_files{};

@@ -132,7 +132,7 @@ void build_integrator(SceneBuilder& b) {
         to.integrator = "ao";
         return;
     }
-    warn_of_stand_in(b, integrator);
+    if (b.integrator.empty()) warn_of_stand_in(b, integrator);
     to.integrator = sees_media(name) ? "volpath" : "path";
     to.direct_lighting = is_direct(name);
     to.sample_all_lights = samples_all_lights(integrator);
