@@ -23,13 +23,13 @@ constexpr std::string_view ao_options[] = {"--max-distance"};
 
 constexpr IntegratorType integrators[] = {
     {"whitted", "lights, mirrors and glass by the rules of the scene's format", whitted_options,
-     make<Whitted>, true, false},
+     make<Whitted>, true, false, true},
     {"path", "light over any number of bounces, by physical rules", path_options, make<PathTracer>,
-     false, true},
+     false, true, false},
     {"volpath", "path through fog, smoke and other media of a PBRT scene", path_options,
-     make<VolumePathTracer>, false, true},
+     make<VolumePathTracer>, false, true, false},
     {"ao", "ambient occlusion: the share of directions in which nothing is near", ao_options,
-     make<AmbientOcclusion>, true, true},
+     make<AmbientOcclusion>, true, true, false},
 };
 
 /// Returns the names of the integrators for which `test` holds.
@@ -46,6 +46,7 @@ std::vector<std::string> names_where(const Test& test) {
 
 void IntegratorType::prepare_scene(Scene& scene, RenderSettings& settings) const {
     if (!takes_whitted) make_physical(scene, settings);
+    if (!has_display_colors) settings.display_colors = false;
 }
 
 bool IntegratorType::obeys(std::string_view option) const {

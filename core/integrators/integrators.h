@@ -29,6 +29,8 @@ struct IntegratorType {
                                         std::vector<std::string>& problems);
 
     bool takes_whitted, takes_physical;  ///< looks that it renders without conversion
+    /// Whether it computes the colours of a Whitted look, which may be display values.
+    bool has_display_colors;
 
     bool obeys(std::string_view option) const;
 

@@ -117,3 +117,20 @@ TEST_CASE("an sRGB view of the EXR is the PNG, to a step", "[app][needs_oiiotool
         }
     }
 }
+
+TEST_CASE("ambient occlusion is a fraction, not a display value", "[app]") {
+    const Folder f;
+    f.write("corner.p3f", small_scene + "pl 0 0 -1  1 0 -1  0 1 -1\n");
+    REQUIRE(f.etalon("convert corner.p3f -o corner.pbrt").status == 0);
+    const std::string options = " --integrator ao --spp 16 -q ";
+    REQUIRE(f.etalon("render corner.p3f" + options + "-o a.exr -o a.png").status == 0);
+    REQUIRE(f.etalon("render corner.pbrt" + options + "-o b.exr -o b.png").status == 0);
+    for (const std::string format : {".exr", ".png"}) {
+        REQUIRE(f.etalon("compare a" + format + " b" + format + " --json c.json").status == 0);
+        const json compared = json::parse(f.read("c.json"));
+        for (int k = 0; k < 3; ++k) {
+            CHECK(compared["mean_a"][k].get<double>() ==
+                  Approx(compared["mean_b"][k].get<double>()).epsilon(0.02));
+        }
+    }
+}
