@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/formats/byte_order_mark.h"
+
 namespace etalon {
 namespace {
 
@@ -13,8 +15,7 @@ const char* end_of_line(const char* p, const char* last) {
 
 Tokenizer::Tokenizer(std::string_view text)
     : first_(text.data()), cursor_(first_), last_(first_ + text.size()) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    move_to(first_ + (text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0));
+    move_to(first_ + byte_order_mark_size(text));
 }
 
 bool Tokenizer::at_number() const {

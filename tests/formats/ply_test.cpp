@@ -112,6 +112,16 @@ std::string everything(const std::string& encoding, Sample& sample) {
 
 }  // namespace
 
+TEST_CASE("a byte order mark at the start of a PLY file is skipped") {
+    for (const char* encoding : {"ascii", "binary_little_endian"}) {
+        CAPTURE(encoding);
+        const Read marked = read("\xEF\xBB\xBF" + square(encoding));
+        CHECK(marked.messages == Messages{});
+        REQUIRE(marked.mesh);
+        CHECK(list(marked.mesh->indices) == list(read(square(encoding)).mesh->indices));
+    }
+}
+
 TEST_CASE("lines of a PLY header may end with CR alone, also before bytes that are line feeds") {
     for (const std::string& encoding : ply_encodings) {
         CAPTURE(encoding);

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/formats/byte_order_mark.h"
+
 namespace etalon::pbrt {
 
 enum class TokenKind : std::uint8_t {
@@ -30,7 +32,9 @@ std::string describe(const Token& token);
 class Lexer {
   public:
     explicit Lexer(std::string_view text)
-        : first_(text.data()), cursor_(first_), last_(first_ + text.size()) {}
+        : first_(text.data()),
+          cursor_(first_ + byte_order_mark_size(text)),
+          last_(first_ + text.size()) {}
 
     Token next();
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "core/formats/byte_order_mark.h"
+
 namespace etalon::ply {
 namespace {
 
@@ -48,7 +50,10 @@ class Line {
 class HeaderReader {
   public:
     HeaderReader(std::string_view bytes, DiagnosticLog& log)
-        : bytes_(bytes), log_(log), line_end_(line_end_of(bytes)) {}
+        : bytes_(bytes),
+          log_(log),
+          line_end_(line_end_of(bytes)),
+          next_(byte_order_mark_size(bytes)) {}
 
     std::optional<Header> read() {
         if (Line(take_line()).next() != "ply") {
@@ -152,7 +157,7 @@ class HeaderReader {
     std::string_view bytes_;
     DiagnosticLog& log_;
     char line_end_;
-    std::size_t line_ = 0, next_ = 0;  ///< starts of the current line and of the next one
+    std::size_t next_, line_ = 0;  ///< starts of the next line and of the current one
     bool good_ = true, ended_ = false;
     std::optional<FileFormat> format_;
     std::vector<Element> elements_;

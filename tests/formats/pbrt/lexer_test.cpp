@@ -37,6 +37,11 @@ TEST_CASE("blanks, tabs, CR and LF separate tokens, and so do brackets and quote
     CHECK(tokens("a\vb\fc") == Words{"a\vb\fc"});
 }
 
+TEST_CASE("a byte order mark at the start of a file is no token") {
+    CHECK(tokens("\xEF\xBB\xBF"
+                 "a b") == Words{"a", "b"});
+}
+
 TEST_CASE("a comment starts where a token would, and ends with its line") {
     CHECK(tokens("# x\na # y [ \" \rb") == Words{"a", "b"});
     CHECK(tokens("a#b 1#c") == Words{"a#b", "1#c"});
