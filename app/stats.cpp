@@ -42,6 +42,7 @@ Json to_json(const RenderStats& s) {
                  {"format", s.format},
                  {"backend", s.backend},
                  {"integrator", s.integrator},
+                 {"direct_lighting", s.direct_lighting},
                  {"threads", s.threads},
                  {"isa", s.isa},
                  {"image",

@@ -17,6 +17,7 @@ using PrimitiveCounts = std::array<std::uint64_t, shape_kinds>;
 /// Contents of `render --stats`. The keys are stable.
 struct RenderStats {
     std::string scene, format, backend, integrator, isa;
+    bool direct_lighting = false;  ///< only direct light, also in mirrors and glass
     int threads = 0;
     int width = 0, height = 0;
     double samples_per_pixel = 0;  ///< mean number taken; 0: one ray through each centre

@@ -108,6 +108,7 @@ Json scene_json(const SceneArguments& a, const LoadedScene& loaded) {
             {"camera", camera_json(s.camera, settings.resolution)},
             {"samples_per_pixel", settings.samples_per_pixel},
             {"integrator", settings.integrator},
+            {"direct_lighting", settings.direct_lighting},
             {"max_depth", settings.max_depth},
             {"backend", chosen_backend(settings).name},
             {"background", look.background},

@@ -225,6 +225,7 @@ bool RenderRun::write(const Rendering& rendering) {
     }
     return written;
 }
+    stats_.direct_lighting = settings_.direct_lighting;
 
 void RenderRun::fill_stats(const Rendering& rendering) {
     stats_.scene = a_.scene.path;
