@@ -1,11 +1,18 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
+#include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "app/common/provenance.h"
+#include "app/common/scene_files.h"
+#include "app/common/stand_ins.h"
 #include "app/info/scene_json.h"
 #include "app/scene_arguments.h"
 #include "app/subcommands.h"
+#include "core/image/io.h"
 
 namespace etalon {
 namespace {
@@ -56,8 +63,27 @@ std::string as_text(const Json& j) {
     return result;
 }
 
+/// Adds what rendering would say of images that cannot be read, and prints it. Drops the scene if
+/// that is an error.
+void add_stand_ins(const SceneArguments& a, LoadedScene& loaded) {
+    const Severity severity = a.options.strict ? Severity::error : Severity::warning;
+    std::vector<ImageProblem> problems;
+    for (const std::string& file : image_files(*loaded.scene)) {
+        std::string reason = read_image(file, Extent::header).error;
+        if (!reason.empty()) problems.push_back({severity, std::move(reason)});
+    }
+    std::vector<Diagnostic> found = stand_ins(*loaded.scene, a.path, problems);
+    write_message(report(found));
+    if (a.options.strict && !found.empty()) {
+        loaded.scene.reset();
+        loaded.status = exit_unusable;
+    }
+    std::ranges::move(found, std::back_inserter(loaded.diagnostics));
+}
+
 int inform(const InfoArguments& a) {
-    const LoadedScene loaded = load(a.scene);
+    LoadedScene loaded = load(a.scene);
+    if (loaded.scene) add_stand_ins(a.scene, loaded);
     if (!loaded.scene) {
         const Json j{{"schema", json_schema},
                      {"scene", a.scene.path},

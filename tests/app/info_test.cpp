@@ -45,3 +45,41 @@ TEST_CASE("info shows the memory of texture images, from their headers", "[app]"
     CHECK(bytes("float.exr") == 32 * 32 * 12);
     CHECK(json::parse(f.etalon("info ball.p3f --json").out)["texture_memory_bytes"] == 0);
 }
+
+TEST_CASE("info says which images of a scene cannot be read", "[app]") {
+    const Folder f;
+    f.write("scene.pbrt",
+            "WorldBegin LightSource \"infinite\" \"string mapname\" \"none.exr\"\n"
+            "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"none.png\"\n"
+            "Texture \"u\" \"spectrum\" \"imagemap\" Shape \"sphere\" WorldEnd");
+    const auto r = f.etalon("info scene.pbrt --json");
+    CHECK(r.status == 0);
+    const json list = json::parse(r.out)["diagnostics"];
+    REQUIRE(list.size() == 3);
+    CHECK(list[0]["message"] == "'filename' is missing; grey stands in");
+    CHECK(list[0]["line"] == 3);
+    CHECK(list[1]["column"] == 12);
+    CHECK(list[2]["line"] == 2);
+    CHECK_THAT(r.err, ContainsSubstring("scene.pbrt:2:1: warning: none.png: cannot be read: "));
+    const auto strict = f.etalon("info scene.pbrt --json --strict");
+    CHECK(strict.status == 3);
+    CHECK(json::parse(strict.out)["diagnostics"][0]["severity"] == "error");
+}
+
+TEST_CASE("info and --stats tell direct lighting from whole paths", "[app]") {
+    const Folder f;
+    const auto is_direct = [&](const std::string& integrator, const std::string& options = "") {
+        f.write("scene.pbrt",
+                "Integrator \"" + integrator + "\" WorldBegin Shape \"sphere\" WorldEnd");
+        REQUIRE(
+            f.etalon("render scene.pbrt --resolution 4x4 --spp 1 -q --stats s" + options).status ==
+            0);
+        return json::parse(f.read("s"))["direct_lighting"].get<bool>();
+    };
+    for (const std::string integrator : {"directlighting", "whitted", "path", "volpath"}) {
+        const bool expected = integrator == "directlighting" || integrator == "whitted";
+        CHECK(is_direct(integrator) == expected);
+        CHECK_FALSE(is_direct(integrator, " --integrator path"));
+        CHECK(json::parse(f.etalon("info scene.pbrt --json").out)["direct_lighting"] == expected);
+    }
+}
