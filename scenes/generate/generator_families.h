@@ -33,6 +33,7 @@ struct Family {
     std::string_view name;
     /// Passes the text to `sink`, after a one-line comment. Passes on exceptions of the sink.
     void (*generate)(const LineWriter::Sink& sink, const std::string& comment, std::int64_t size);
+    std::string_view extension;    ///< of files of its format
     std::string_view description;  ///< with the number of primitives as a function of N, the size
     std::int64_t default_size, min_size, max_size;
 };

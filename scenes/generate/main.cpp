@@ -1,6 +1,7 @@
 // etalon-scenes FAMILY [--size N] [-o FILE]: a scene of a family, at any size.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -73,6 +74,12 @@ int write_scene(const Family& family, std::int64_t size, const std::string& path
     }
 }
 
+/// Returns whether a file's name says another format than the family's.
+bool has_other_format(const Family& family, const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return (extension == ".p3f" || extension == ".pbrt") && extension != family.extension;
+}
+
 int run(const Arguments& a) {
     const Family* const family = find_family(a.family);
     if (family == nullptr) return no_family(a.family);
@@ -80,6 +87,11 @@ int run(const Arguments& a) {
     if (size < family->min_size || size > family->max_size) {
         return fail(exit_usage, fmt::format("{} takes sizes from {} to {}, not {}", a.family,
                                             family->min_size, family->max_size, size));
+    }
+    if (has_other_format(*family, a.path)) {
+        return fail(exit_usage,
+                    fmt::format("{}: {} is of another format; expected a name ending in {}", a.path,
+                                a.family, family->extension));
     }
     return write_scene(*family, size, a.path == "-" ? "" : a.path);
 }
