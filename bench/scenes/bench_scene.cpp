@@ -68,7 +68,7 @@ std::string check_scene_name(const std::string& name) {
     const Request request(name);
     if (request.family != nullptr) {
         if (request.has_size()) return "";
-        return fmt::format("{}: expected a {} from 1 to {} after {}:", name, request.family->unit,
+        return fmt::format("{}: expected {} from 1 to {} after {}:", name, request.family->unit,
                            request.family->most, request.family->name);
     }
     std::error_code ignored;

@@ -24,17 +24,18 @@ void fit(std::vector<T>& values) {
 
 bool ParameterReader::convert() {
     given_.type = declared_->type;
-    given_.is_texture = declared_->encoding == ValueEncoding::texture_name;
+    given_.type_word = declared_->word;
+    given_.is_texture = declared_->encoding == Encoding::texture_name;
     const bool may_be_strings = declared_->takes_strings();
     const bool may_be_numbers = !may_be_strings;
     const bool may_be_files = declared_->encoding == ValueEncoding::spectrum;
     if (may_be_strings && strings_.empty()) {
-        return refuse("'{}' is a {} and takes strings, not numbers; it is left out", given_.name,
-                      declared_->word);
+        return refuse("'{}' has the type {} and takes strings, not numbers; it is left out",
+                      given_.name, declared_->word);
     }
     if (may_be_numbers && !may_be_files && !strings_.empty()) {
-        return refuse("'{}' is a {} and takes numbers, not strings; it is left out", given_.name,
-                      declared_->word);
+        return refuse("'{}' has the type {} and takes numbers, not strings; it is left out",
+                      given_.name, declared_->word);
     }
     return strings_.empty() ? convert_numbers() : convert_strings();
 }

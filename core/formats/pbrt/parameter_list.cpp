@@ -9,10 +9,6 @@ std::size_t GivenParameter::count() const {
     return numbers / static_cast<std::size_t>(components(type));
 }
 
-std::string_view GivenParameter::type_name() const {
-    return is_texture ? "texture" : to_string(type);
-}
-
 GivenParameter* ParameterList::find(std::string_view name, ValueType type) {
     const auto found = std::ranges::find_if(parameters, [&](const GivenParameter& p) {
         return p.type == type && !p.is_texture && p.name == name;

@@ -84,8 +84,12 @@ void read_statement(Parser& p, const Directive& directive) {
         if (!p.in.ok()) skip_statement(p);
         return;
     }
-    p.log.error(p.in.where(), "block", "'{}' is left out: it belongs {} WorldBegin", directive.word,
-                p.now.block == Block::options ? "after" : "before");
+    if (directive.word == "WorldBegin") {
+        p.log.error(p.in.where(), "block", "'WorldBegin' is left out: the world has begun already");
+    } else {
+        p.log.error(p.in.where(), "block", "'{}' is left out: it belongs {} WorldBegin",
+                    directive.word, p.now.block == Block::options ? "after" : "before");
+    }
     skip_statement(p);
 }
 

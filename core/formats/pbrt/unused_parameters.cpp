@@ -36,8 +36,8 @@ void report_unused(const ParameterList& list, const PluginType& type, Log& log) 
     for (const GivenParameter& given : list.parameters) {
         if (given.is_used) continue;
         if (const ParameterSpec* spec = find_by_any_name(type, given.name)) {
-            log.warn(given.where, "unused", "'{} {}' is not used: in the {} '{}' it is a {}",
-                     given.type_name(), given.name, to_string(type.category), type.name,
+            log.warn(given.where, "unused", "'{} {}' is not used: in the {} '{}' its type is {}",
+                     given.type_word, given.name, to_string(type.category), type.name,
                      accepted_types(*spec));
         } else {
             log.warn(given.where, "unused", "{} is not used: the {} '{}' has no such parameter{}",

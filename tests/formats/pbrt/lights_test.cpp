@@ -19,7 +19,7 @@ TEST_CASE("a light has its parameters and the transformation of its place") {
 TEST_CASE("the scale of a light is a colour and no number") {
     const Frame frame = world_with("LightSource \"point\" \"float scale\" 3",
                                    "a.pbrt:1:32: warning: 'float scale' is not used: in the light "
-                                   "'point' it is a rgb");
+                                   "'point' its type is rgb");
     CHECK(frame.lights.at(0).plugin.parameters.color("scale") == Color(1.0F));
 }
 

@@ -238,9 +238,9 @@ TEST_CASE("a material takes the first of several values") {
 TEST_CASE("a number is no colour and a colour is no number") {
     const Frame frame = world_with("Material \"matte\" \"float Kd\" 1 " + sphere,
                                    "a.pbrt:1:29: warning: 'float Kd' is not used: in the material "
-                                   "'matte' it is a rgb or texture");
+                                   "'matte' its type is rgb or texture");
     CHECK(diffuse(frame) == Color(0.5F));
     world_with("Material \"matte\" \"rgb sigma\" [1 1 1] ",
-               "a.pbrt:1:29: warning: 'rgb sigma' is not used: in the material 'matte' it is a "
+               "a.pbrt:1:29: warning: 'rgb sigma' is not used: in the material 'matte' its type is "
                "float or texture");
 }

@@ -72,7 +72,7 @@ TEST_CASE("options in the world are left out with their parameters") {
     world_with("TransformTimes 1 2",
                "a.pbrt:1:12: error: 'TransformTimes' is left out: it belongs before WorldBegin");
     world_with("WorldBegin",
-               "a.pbrt:1:12: error: 'WorldBegin' is left out: it belongs before WorldBegin");
+               "a.pbrt:1:12: error: 'WorldBegin' is left out: the world has begun already");
 }
 
 TEST_CASE("statements of the world before it are left out") {

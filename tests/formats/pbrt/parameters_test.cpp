@@ -128,7 +128,7 @@ TEST_CASE("an unknown parameter is not used") {
 TEST_CASE("a parameter of another type is not used") {
     CHECK(camera_with("\"integer fov\" 30",
                       "a.pbrt:1:22: warning: 'integer fov' is not used: in "
-                      "the camera 'perspective' it is a float")
+                      "the camera 'perspective' its type is float")
               .number("fov") == 90);
 }
 
@@ -151,10 +151,10 @@ TEST_CASE("a list of four is not used with another number of values") {
 
 TEST_CASE("strings for a number, and numbers for a string, lose the parameter") {
     camera_with("\"float fov\" \"30\"",
-                "a.pbrt:1:22: error: 'fov' is a float and takes numbers, "
+                "a.pbrt:1:22: error: 'fov' has the type float and takes numbers, "
                 "not strings; it is left out");
     camera_with("\"string fov\" 30",
-                "a.pbrt:1:22: error: 'fov' is a string and takes strings, not "
+                "a.pbrt:1:22: error: 'fov' has the type string and takes strings, not "
                 "numbers; it is left out");
     camera_with("\"texture fov\" [ \"a\" \"b\" ]",
                 "a.pbrt:1:22: error: 'fov' takes the name of "
