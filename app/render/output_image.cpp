@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "app/common/program_facts.h"
+#include "core/render/camera_frame.h"
 #include "core/render/camera_rays.h"
 
 namespace etalon {
@@ -19,6 +21,17 @@ void add_what_was_reached(const RenderStats& stats, RenderedImage& image) {
     if (stats.expected_error) {
         image.metadata["expectedError"] = static_cast<float>(*stats.expected_error);
     }
+}
+
+/// Returns the width of a pixel over its height; 1 if the projection has no such.
+double pixel_aspect(const Camera& camera, const Imath::V2i& resolution) {
+    constexpr double rounding = 1e-6;
+    const CameraFrame frame = camera_frame(camera, resolution);
+    if (frame.projection == Projection::environment) return 1;
+    const Vec2 size = frame.pixel_size * Vec2(frame.u.length(), frame.v.length());
+    const double aspect = std::abs(size.x / size.y);
+    const bool is_other = std::isfinite(aspect) && aspect > 0 && std::abs(aspect - 1) > rounding;
+    return is_other ? aspect : 1;
 }
 
 }  // namespace
@@ -36,6 +49,9 @@ RenderedImage make_output_image(const Scene& scene, const RenderSettings& settin
                       {"samplesPerPixel", static_cast<float>(rendering.samples)},
                       {"seed", fmt::format("{}", stats.seed)},
                       {"worldToCamera", Imath::M44f(camera.world_to_camera())}};
+    if (const double aspect = pixel_aspect(scene.camera, settings.resolution); aspect != 1) {
+        image.metadata["pixelAspectRatio"] = static_cast<float>(aspect);  // of OpenEXR
+    }
     if (camera.world_to_ndc()) image.metadata["worldToNDC"] = Imath::M44f(*camera.world_to_ndc());
     add_what_was_reached(stats, image);
     return image;

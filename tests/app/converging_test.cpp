@@ -255,3 +255,17 @@ TEST_CASE("an image ended by a signal or the time limit is marked as such", "[ap
         REQUIRE(f.etalon(command + "-q --time-limit " + limit).status == 0);
     }
 }
+
+TEST_CASE("an EXR has the aspect of pixels that are not square", "[app]") {
+    const Folder f;
+    const auto aspect = [&](const std::string& camera, const std::string& size) {
+        f.write("a.pbrt",
+                "Camera \"perspective\" " + camera + " WorldBegin Shape \"sphere\" WorldEnd");
+        REQUIRE(f.etalon("render a.pbrt --spp 1 -q -o a.exr --resolution " + size).status == 0);
+        return Imf::InputFile(f.path("a.exr").c_str()).header().pixelAspectRatio();
+    };
+    CHECK(aspect("", "30x20") == 1);
+    CHECK(aspect("\"float frameaspectratio\" 1", "20x20") == 1);
+    CHECK(aspect("\"float screenwindow\" [-1 1 -1 1]", "40x20") == Approx(0.5));
+    CHECK(aspect("\"float screenwindow\" [-1 1 -1 1]", "20x40") == Approx(2));
+}
