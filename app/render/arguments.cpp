@@ -30,7 +30,11 @@ void declare_image(Options& options, RenderArguments& a) {
              "Format of the image on standard output, for -o - (default: exr)")
         .one_of({"exr", "png"})
         .group(group);
-    options.add("--resolution", a.resolution, "Width and height in pixels (default: the scene's)")
+    options
+        .add(
+            "--resolution", a.resolution,
+            "Width and height in pixels; a lens of P3F, which is measured in pixels, becomes wider "
+            "with fewer rows (default: the scene's)")
         .value("WxH")
         .group(group);
     options
