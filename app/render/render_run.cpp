@@ -73,7 +73,7 @@ int RenderRun::render_and_write() {
         return fail_with(a_.checkpoint + ": the checkpoint does not fit the image"), exit_unusable;
     }
     if (!report_ranks()) return exit_unusable;
-    warn_of_dropped_samples(rendering);
+    warn_of_dropped_samples(scene_, a_.scene, rendering.dropped_samples);
     warn_of_missed_target(rendering);
     const bool usable = tolerates(scene_, a_.scene, late_problems());
     const bool written = rendering.samples == 0 || write(rendering);
@@ -90,8 +90,8 @@ int RenderRun::prepare() {
     signals_.emplace();
     scene_ = std::move(*loaded.scene);
     settings_ = std::move(loaded.settings);
-    prepare_scene(a_.integrator, scene_, settings_);
     scene_files_ = std::move(loaded.files);
+    prepare_scene(a_.integrator, scene_, settings_);
     stats_.parse = watch_.lap();
     const std::string error = apply_overrides(a_, scene_, settings_);
     if (!error.empty()) return fail_with(error), exit_usage;
@@ -138,12 +138,6 @@ bool RenderRun::open_views() {
 bool RenderRun::open_kept() {
     const std::string error = kept_.open();
     return error.empty() || fail_with(error);
-}
-
-void RenderRun::warn_of_dropped_samples(const Rendering& rendering) const {
-    if (rendering.dropped_samples == 0) return;
-    print_message("{}: warning: {} samples are infinite or no number: they count as black\n",
-                  a_.scene.path, rendering.dropped_samples);
 }
 
 void RenderRun::warn_of_missed_target(const Rendering& rendering) const {
@@ -225,13 +219,13 @@ bool RenderRun::write(const Rendering& rendering) {
     }
     return written;
 }
-    stats_.direct_lighting = settings_.direct_lighting;
 
 void RenderRun::fill_stats(const Rendering& rendering) {
     stats_.scene = a_.scene.path;
     stats_.format = scene_.format;
     stats_.backend = chosen_backend(settings_).name;
     stats_.integrator = find_integrator(settings_.integrator)->name;
+    stats_.direct_lighting = settings_.direct_lighting;
     stats_.isa = intersector_->isa();
     stats_.threads = max_threads();
     stats_.width = settings_.resolution.x;

@@ -50,10 +50,6 @@ class RenderRun {
 
     /// Reports how the other ranks took part. Returns false if one has failed.
     bool report_ranks() const;
-
-    /// Returns why images were replaced during the rendering, in any rank.
-    std::vector<std::string> late_problems() const;
-    void warn_of_dropped_samples(const Rendering& rendering) const;
     void warn_of_missed_target(const Rendering& rendering) const;
 
     bool write(const Rendering& rendering);
@@ -70,8 +66,8 @@ class RenderRun {
     std::optional<SignalGuard> signals_;  ///< once there is something to save
     Stopwatch watch_;
     Scene scene_;
-    std::vector<std::string> scene_files_;
     RenderSettings settings_;
+    std::vector<std::string> scene_files_;
     RenderStats stats_;
     std::optional<Reference> reference_;
     std::unique_ptr<Intersector> intersector_;

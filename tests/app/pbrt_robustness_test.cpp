@@ -4,9 +4,11 @@
 #include <array>
 #include <string>
 
+#include "core/image/io.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 
+using namespace etalon;
 using namespace etalon::test;
 
 namespace {
@@ -72,8 +74,6 @@ TEST_CASE("Files that a PBRT scene lacks are said at the statement that names th
     check_said(f, "Material \"metal\" \"spectrum eta\" \"none.spd\"", "bad.pbrt:7:18: warning: ");
 }
 
-TEST_CASE("An image of no pixels, or of more than there are, is replaced by grey", "[app]") {
-    const Folder f;
 TEST_CASE("Every statement that names an image that cannot be read is said", "[app]") {
     const Folder f;
     const std::string world = "LightSource \"infinite\" \"string mapname\" \"none.png\"\n" +
@@ -104,6 +104,8 @@ TEST_CASE("Names in a PBRT scene neither control a terminal nor forge a message"
     CHECK_THAT(r.err, ContainsSubstring("bad.pbrt:7:1: warning: a\\x0ab.pbrt:1:1: error: c\\x08"));
 }
 
+TEST_CASE("An image of no pixels, or of more than there are, is replaced by grey", "[app]") {
+    const Folder f;
     const std::string nothing("\0\0\0\0\0\0\0\0", 8), most("\x7F\xFF\xFF\xFF\x7F\xFF\xFF\xFF");
     for (const std::string& size : {nothing, most}) {
         std::string png("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16);
@@ -184,6 +186,20 @@ TEST_CASE("Samples that are not finite count as black, alike by every backend an
         CHECK_THAT(f.read("s.json"), ContainsSubstring("\"dropped_samples\": 192,"));
         CHECK(f.etalon("compare a.exr a.exr").out.find("nan") == std::string::npos);
     }
+}
+
+TEST_CASE("Samples that are not finite are said with the images that have such values", "[app]") {
+    const Folder f;
+    RenderedImage image{2, 1, {{0, 0}, {1, 0}}, {Color(1.0F), Color(infinity)}, false, {}};
+    REQUIRE(write_image(f.path("bright.exr"), image) == "");
+    image.pixels[1] = Color(2.0F);
+    REQUIRE(write_image(f.path("good.exr"), image) == "");
+    const auto texture = [](const std::string& file) {
+        return "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"" + file +
+               "\" Material \"matte\" \"texture Kd\" \"t\"\n";
+    };
+    check_said(f, texture("good.exr") + texture("bright.exr"),
+               " count as black; there are such values in bright.exr\n");
 }
 
 TEST_CASE("info shows the field of view of PBRT cameras", "[app]") {
