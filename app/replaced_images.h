@@ -12,10 +12,6 @@ namespace etalon {
 bool tolerates(const Scene& scene, const SceneArguments& arguments,
                const std::vector<std::string>& problems);
 
-/// Returns the first of such reasons that is an error, without a message; empty if none is.
-std::string intolerable_problem(const SceneArguments& arguments,
-                                const std::vector<std::string>& problems);
-
 /// Warns of so many samples that count as black, as they are infinite or no number, and names the
 /// images of the scene in which there are such values. Does nothing for 0.
 void warn_of_dropped_samples(const Scene& scene, const SceneArguments& arguments,

@@ -16,18 +16,23 @@ BackendResults results_of(const Scene& scene, const std::vector<Trial>& trials,
     return results;
 }
 
-/// Traces the rays with the backends. If the oracle was stopped there are few rays, and all are
-/// traced.
+/// Seconds for the backends to trace the rays that a stopped oracle has answered.
+constexpr double seconds_after_stop = 5;
+
+/// Traces the rays with the backends, until a stop. If the oracle was stopped there are few rays,
+/// and the backends that do not trace all of them soon are left out.
 std::vector<CrosscheckedTracer> trace_all(const CrosscheckConfig& config, const Scene& scene,
                                           const std::vector<Trial>& trials,
                                           const CrosscheckProgress& run) {
     static const std::atomic<bool> never = false;
-    const CrosscheckProgress control{run.stop ? never : run.stop, run.begin, run.progress};
+    const bool is_late = run.stop;
+    const Deadline deadline = is_late ? Deadline(seconds_after_stop) : Deadline();
     std::vector<CrosscheckedTracer> tracers;
     if (trials.empty()) return tracers;
     run.begin("backends");
     for (const std::string& name : config.backends) {
-        std::optional<CrosscheckedTracer> tracer = trace(name, scene, trials, control);
+        std::optional<CrosscheckedTracer> tracer =
+            trace(name, scene, trials, is_late ? never : run.stop, deadline);
         if (!tracer) break;
         tracers.push_back(std::move(*tracer));
         run.progress(static_cast<double>(tracers.size()) /

@@ -6,15 +6,22 @@
 namespace etalon::crosscheck {
 namespace {
 
-Answers trace(const Intersector& intersector, const std::vector<Ray>& rays,
-              const std::atomic<bool>& stop) {
+/// Rays between two looks at the clock, which take longer than these.
+constexpr std::size_t often = 64;
+
+/// Returns the answers to all rays; nothing if it was over before the last one.
+template <class Test>
+std::optional<Answers> trace(const Intersector& intersector, const std::vector<Ray>& rays,
+                             const Test& is_over) {
     Answers answers{std::vector<Answer>(rays.size())};
     Stopwatch watch;
-    for (std::size_t i = 0; i < rays.size() && !stop; ++i) {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (i % often == 0 && is_over()) return std::nullopt;
         answers.all[i].closest = intersector.closest(rays[i]);
     }
     answers.seconds = watch.lap().cpu;
-    for (std::size_t i = 0; i < rays.size() && !stop; ++i) {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (i % often == 0 && is_over()) return std::nullopt;
         answers.all[i].occluded = intersector.occluded(rays[i]);
     }
     return answers;
@@ -24,14 +31,16 @@ Answers trace(const Intersector& intersector, const std::vector<Ray>& rays,
 
 std::optional<CrosscheckedTracer> trace(const std::string& backend, const Scene& scene,
                                         const std::vector<Trial>& trials,
-                                        const CrosscheckProgress& run) {
+                                        const std::atomic<bool>& stop, const Deadline& deadline) {
     const Backend* found = find_backend(backend);
     const auto intersector = found->build(scene.geometry);
     CrosscheckedTracer tracer{backend, found->exact, {}};
     for (const Trial& trial : trials) {
-        tracer.answers.push_back(trace(*intersector, trial.rays, run.stop));
+        std::optional<Answers> answers =
+            trace(*intersector, trial.rays, [&] { return stop || deadline.is_over(); });
+        if (!answers) return std::nullopt;
+        tracer.answers.push_back(std::move(*answers));
     }
-    if (run.stop) return std::nullopt;
     return tracer;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/crosscheck/trial.h"
+#include "core/render/deadline.h"
 
 namespace etalon::crosscheck {
 
@@ -23,9 +24,10 @@ struct CrosscheckedTracer {
     std::vector<Answers> answers;  ///< one for each trial
 };
 
-/// Returns the backend's answers to all rays; nothing if it was stopped before the last one.
+/// Returns the backend's answers to all rays; nothing if a stop or the deadline came before the
+/// last one.
 std::optional<CrosscheckedTracer> trace(const std::string& backend, const Scene& scene,
                                         const std::vector<Trial>& trials,
-                                        const CrosscheckProgress& run);
+                                        const std::atomic<bool>& stop, const Deadline& deadline);
 
 }  // namespace etalon::crosscheck

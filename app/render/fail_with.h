@@ -8,7 +8,7 @@ namespace etalon {
 
 /// Prints why something failed: a line, or those of another rank. Returns false, for the caller to
 /// return.
-inline bool complain(const std::string& message) {
+inline bool fail_with(const std::string& message) {
     write_message("etalon: error: " + message + "\n");
     return false;
 }

@@ -50,6 +50,9 @@ class RenderRun {
 
     /// Reports how the other ranks took part. Returns false if one has failed.
     bool report_ranks() const;
+
+    /// Returns why images were replaced during the rendering, in any rank.
+    std::vector<std::string> late_problems() const;
     void warn_of_missed_target(const Rendering& rendering) const;
 
     bool write(const Rendering& rendering);

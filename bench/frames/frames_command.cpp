@@ -79,9 +79,9 @@ int measure_frames(FramesArguments a) {
     if (!folder.error().empty()) return fail(exit_not_written, folder.error());
     a.config.image = folder.file("frame.exr");
     const SignalGuard signals;
-    a.plan.stop = &signals.raised();
+    a.config.stop = &signals.raised();
     std::string lost;
-    a.plan.objection = [&](const std::vector<std::string>& files) {
+    a.config.check_files = [&](const std::vector<std::string>& files) {
         return lost = find_clash({a.json}, files);
     };
     std::vector<frames::FrameFigures> figures;

@@ -64,10 +64,10 @@ Result<std::vector<FrameFigures>> measure_frame(const std::string& name,
     const double load = watch.lap().cpu;
     write_message(named.messages);
     if (!named.scene) return {{}, fmt::format("{}: no scene to measure", name)};
-    const std::string objection = plan.objection ? plan.objection(named.files) : "";
-    if (!objection.empty()) return {{}, objection};
-    bench::set_width(named.settings, plan.width);
-    if (plan.samples > 0) named.settings.samples_per_pixel = plan.samples;
+    const std::string clash = config.check_files ? config.check_files(named.files) : "";
+    if (!clash.empty()) return {{}, clash};
+    bench::set_width(named.settings, config.width);
+    if (config.samples > 0) named.settings.samples_per_pixel = config.samples;
     const ThreadLimit one_thread(1);
     const Frames frames = frames_of(*named.scene, named.settings, config);
     write_message(stand_in_warnings(*named.scene, name, frames.front()->problems()));

@@ -41,6 +41,16 @@ TEST_CASE("A converted scene does not replace what it includes", "[app]") {
     CHECK(f.etalon("convert scene.pbrt -o again.pbrt").status == 0);
 }
 
+TEST_CASE("A path through a linked folder leads where it does for the system", "[app]") {
+    const Folder f;
+    f.shell("mkdir -p real/deep; ln -s real/deep link");
+    f.write("real/ball.pbrt", "Shape \"sphere\"\n");
+    f.write("scene.pbrt", "WorldBegin Include \"link/../ball.pbrt\" WorldEnd\n");
+    const auto r = f.etalon("info scene.pbrt");
+    CHECK(r.err == "");
+    CHECK(r.status == 0);
+}
+
 TEST_CASE("No output replaces a file that the scene itself names", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

@@ -25,7 +25,7 @@ void fit(std::vector<T>& values) {
 bool ParameterReader::convert() {
     given_.type = declared_->type;
     given_.type_word = declared_->word;
-    given_.is_texture = declared_->encoding == Encoding::texture_name;
+    given_.is_texture = declared_->encoding == ValueEncoding::texture_name;
     const bool may_be_strings = declared_->takes_strings();
     const bool may_be_numbers = !may_be_strings;
     const bool may_be_files = declared_->encoding == ValueEncoding::spectrum;

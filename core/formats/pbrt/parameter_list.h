@@ -18,9 +18,9 @@ struct GivenParameter {
     bool is_used = false;
     CopyableVariant<std::vector<float>, std::vector<std::int32_t>, std::vector<std::string>>
         values{};
-    Place where{};
+    FileLoc where{};
     std::string_view type_word{};  ///< the type as written: "float", "texture", "xyz"
-    Place not_finite{};  ///< place of the first infinite number or NaN; line 0 if all are finite
+    FileLoc not_finite{};  ///< the first infinite number or NaN; line 0 if all are finite
 
     /// Returns the number of values: points, not coordinates.
     std::size_t count() const;

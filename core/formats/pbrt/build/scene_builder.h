@@ -52,7 +52,7 @@ struct SceneBuilder {
     }
 
     /// Records where an image is named, and what is shown if it cannot be read.
-    void name_image(const std::string& image, const Place& place, std::string_view stand_in) {
+    void name_image(const std::string& image, const FileLoc& loc, std::string_view stand_in) {
         look().named_images.push_back(
             {image, fmt::format("{}:{}:{}", file.files[loc.file], loc.line, loc.column), stand_in});
     }
