@@ -195,12 +195,15 @@ double LightTree::importance(const Node& node, const Receiver& at) {
     const Angle off = of_cosine(node.two_sided ? std::abs(along) : along);
     const double emitted = difference(difference(off, spread), size).cosine;
     if (emitted < node.cos_emission) return 0;
+    // Beyond a right angle a spotlight's falloff to an angle of cosine -k is at most k / 16.
+    const double least = -node.cos_emission / 16;
     double received = 1;
     if (at.normal != Vec3(0)) {
         received = difference(of_cosine(inverse * at.normal.dot(way)), size).cosine;
         if (received <= 0) return 0;
     }
-    return at_most_largest(node.intensity * emitted * received * inverse * inverse);
+    return at_most_largest(node.intensity * std::max(emitted, least) * received * inverse *
+                           inverse);
 }
 
 double LightTree::importance(const Receiver& at) const {

@@ -107,6 +107,31 @@ TEST_CASE("A tree picks every light that shines on a point", "[light]") {
     CHECK(lit > 1000);
 }
 
+TEST_CASE("Lights that fall off over more than a right angle are picked where they shine",
+          "[light]") {
+    const ScrambledSobol directions(7);
+    std::vector<LightBounds> lights = many_lights(100);
+    for (std::uint32_t i = 0; i < lights.size(); ++i) {
+        lights[i].cone = {direction_of(directions(i)), 0.1 * (i % 3), 0.09 * (i % 34), false};
+    }
+    const LightTree tree(lights);
+    int lit = 0;
+    for (const Receiver& at : receivers()) {
+        double sum = 0;
+        for (std::uint32_t i = 0; i < lights.size(); ++i) {
+            const double probability = tree.probability(at, i);
+            CHECK((probability >= 0 && probability <= 1));
+            sum += probability;
+            if (!shines(lights[i], at)) continue;
+            ++lit;
+            CHECK(probability > 0);
+        }
+        CHECK(sum <= 1 + 1e-9);
+        CHECK(tree.importance(at) > 0);
+    }
+    CHECK(lit > 300);
+}
+
 TEST_CASE("A tree prefers what is near and turned to the point", "[light]") {
     const auto square = [](double x, const Vec3& axis) {
         return LightBounds{{{x - 0.1, -0.1, 0}, {x + 0.1, 0.1, 0}}, {axis, 0, pi / 2, false}, 1};
