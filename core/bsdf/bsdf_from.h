@@ -32,6 +32,9 @@ class BsdfFrom {
     /// Returns whether `wi` is on the other side of the surface.
     bool passes(const Vec3& wi) const { return side(wi) == LobeKind::transmission; }
 
+    /// Returns whether `wi` is on the same side of the surface as `wo` by both normals.
+    bool reflects(const Vec3& wi) const { return !passes(wi) && frame_.ns.dot(wi) * wo_.z > 0; }
+
     /// Samples a lobe by `lobe_choice` and a direction of it by `uv`, all in [0, 1). Nothing if the
     /// choice carries no light.
     std::optional<BsdfSample> sample(float lobe_choice, const Vec2& uv) const;

@@ -202,6 +202,28 @@ TEST_CASE("A spot in fog is as bright without directions to its beam", "[media]"
     check_equal(with, without, 0.01);
 }
 
+TEST_CASE("Directions to a spot's beam carry no more light where normals are turned", "[media]") {
+    // The floor's shading normals face away from the camera.
+    const auto lit = [](const std::string& sky) {
+        return brightness(
+            "LightSource \"spot\" \"rgb I\" [10 10 10] \"point from\" [0 -1.5 2]\n"
+            "\"point to\" [0 1.5 2] \"float coneangle\" 20 \"float conedeltaangle\" 10\n" +
+                sky +
+                "Material \"matte\" \"rgb Kd\" [1 1 1] Shape \"trianglemesh\"\n"
+                "\"integer indices\" [0 1 2 0 2 3] \"point P\" [-3 -3 0 3 -3 0 3 3 0 -3 3 0]\n"
+                "\"normal N\" [0 .4 1 0 .4 1 0 .4 1 0 .4 1]\n",
+            "Identity LookAt 0 -2 .4  0 0 0  0 0 1\n"
+            "Camera \"orthographic\" \"float screenwindow\" [-.5 .5 -.2 .2]\n"
+            "Sampler \"sobol\" \"integer pixelsamples\" 8192\n"
+            "Integrator \"volpath\" \"integer maxdepth\" 2\n"
+            "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"rgb sigma_a\" "
+            "[.02 .02 .02] \"rgb sigma_s\" [.2 .2 .2]\n"
+            "MediumInterface \"\" \"fog\"\n");
+    };
+    // The standard error of the second is 5 %.
+    check_equal(lit(""), lit("LightSource \"infinite\" \"rgb L\" [1e-9 1e-9 1e-9]\n"), 0.3);
+}
+
 TEST_CASE("Surfaces without a material hide lights from path alone", "[media]") {
     const std::string world =
         "LightSource \"point\" \"color I\" [10 10 10] \"point from\" [0 0 -3]\n"

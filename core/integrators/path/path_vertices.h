@@ -50,11 +50,9 @@ struct SurfaceVertex : PathVertex {
     std::optional<BsdfSample> sample(float choice, const Vec2& uv) const {
         return scattering.sample(choice, uv);
     }
-    /// Returns whether the direction is on the side from which the path came, above both horizons.
-    bool reflects(const Vec3& wi) const {
-        const double above = surface.ng.dot(wi);
-        return !scattering.passes(wi) && above * frame.ns.dot(wi) * surface.ng.dot(frame.ns) > 0;
-    }
+    /// Returns whether the direction is on the side from which the path came by both normals:
+    /// BsdfSample::turned is false for such directions.
+    bool reflects(const Vec3& wi) const { return scattering.reflects(wi); }
     float cosine(const Vec3& wi) const { return static_cast<float>(std::abs(frame.ns.dot(wi))); }
     Ray ray(const Vec3& wi) const { return spawn_ray(surface.point, wi); }
     Ray ray_to(const Vec3& target) const { return spawn_ray_to(surface.point, target); }
