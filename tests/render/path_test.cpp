@@ -98,6 +98,31 @@ TEST_CASE("In a glowing ball light adds up to a geometric series", "[path]") {
     }
 }
 
+TEST_CASE("A roulette threshold of 0 and less ends no path that carries light", "[path]") {
+    const auto threshold = [](const char* number) {
+        return std::string("Integrator \"path\" \"integer maxdepth\" 20 \"float rrthreshold\" ") +
+               number;
+    };
+    const std::string glowing =
+        "AreaLightSource \"diffuse\" \"color L\" [1 1 1]\n"
+        "Material \"matte\" \"color Kd\" [.5 .5 .5]\n"
+        "ReverseOrientation Shape \"sphere\" \"float radius\" 20\n";
+    // Nothing is left of light that has met the red and the green half of a ball.
+    const std::string red_and_green =
+        "LightSource \"point\" \"color I\" [9 9 9] \"point from\" [0 0 -4]\n"
+        "ReverseOrientation Rotate 90 1 0 0\n"
+        "Material \"matte\" \"color Kd\" [.9 0 0] Shape \"sphere\" \"float radius\" 6 "
+        "\"float zmin\" 0\n"
+        "Material \"matte\" \"color Kd\" [0 .9 0] Shape \"sphere\" \"float radius\" 6 "
+        "\"float zmax\" 0\n";
+    const double expected = brightness(red_and_green, threshold("1"));
+    for (const char* number : {"0", "-1"}) {
+        INFO(number);
+        CHECK_THAT(brightness(glowing, threshold(number)), WithinRel(2.0, 5e-3));
+        CHECK_THAT(brightness(red_and_green, threshold(number)), WithinRel(expected, 0.03));
+    }
+}
+
 TEST_CASE("A point light gives intensity times cosine over the square of the distance", "[path]") {
     const std::string plane =
         "LightSource \"point\" \"color I\" [10 10 10] \"point from\" [0 3 -4]\n"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,7 +24,8 @@ struct PathScene {
           media(of.physical().media),
           shading(of, problems),
           most_vertices(settings.max_depth - 1),
-          roulette_threshold(settings.roulette_threshold),
+          roulette_threshold(
+              std::max(std::numeric_limits<float>::min(), settings.roulette_threshold)),
           samples_all(settings.sample_all_lights),
           direct_only(settings.direct_lighting),
           sampler(settings.sampler) {
@@ -42,9 +45,9 @@ struct PathScene {
     PhysicalShading shading;
     std::optional<LitRegions> lit_regions;  ///< if there are any
     int most_vertices;                      ///< largest number of scattering vertices
-    float roulette_threshold;
-    bool samples_all;  ///< sample all lights at each vertex
-    bool direct_only;  ///< no indirect light, except in mirrors and glass
+    float roulette_threshold;  ///< above 0: a threshold of 0 and less is that of no roulette
+    bool samples_all;          ///< sample all lights at each vertex
+    bool direct_only;          ///< no indirect light, except in mirrors and glass
     Sampler sampler;
 };
 
