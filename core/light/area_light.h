@@ -28,7 +28,7 @@ struct AreaLight {
 
     AreaShape shape;
     Color radiance;
-    BoundingSphere bounds;
+    BoundingSphere bounds;           ///< about a point of its plane, if the light is flat
     std::optional<Vec3> flat_front;  ///< normal of the emitting side, if the light is flat
     bool flipped, two_sided;
     bool is_unseen;   ///< rays pass everywhere, so none can hit the light

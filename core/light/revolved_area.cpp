@@ -102,9 +102,14 @@ double RevolvedArea::pdf(const Vec3& from, const Vec3& position, const Vec3& nor
     return per_steradian(per_area(local, density_at(along_of(local))), from, position, normal);
 }
 
+/// The centre of the box of a flat surface's sector is beside the plane: it is projected onto it,
+/// which takes it away from no point there.
 BoundingSphere RevolvedArea::bounds() const {
     const Box3 box = etalon::bounds({}, *surface_);
-    return {box.center(), 0.5 * box.size().length()};
+    Vec3 centre = box.center();
+    if (const std::optional<Vec3> normal = flat_normal())
+        centre -= normal->dot(centre - surface_->to_world.origin) * *normal;
+    return {centre, 0.5 * box.size().length()};
 }
 
 std::optional<Vec3> RevolvedArea::flat_normal() const {

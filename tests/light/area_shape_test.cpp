@@ -10,6 +10,7 @@
 #include "tests/chi_square.h"
 
 using namespace etalon;
+using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
@@ -201,6 +202,19 @@ TEST_CASE("Parts of surfaces of revolution are sampled within their turn and hei
         const double phi = std::atan2(local.y, local.x);
         CHECK((phi >= -1e-12 && phi <= 100 * pi / 180 + 1e-12));
         CHECK((local.z >= 0.25 - 1e-12 && local.z <= 1 + 1e-12));
+    }
+}
+
+TEST_CASE("A flat surface of revolution is bounded about a point of its plane") {
+    for (const double degrees : {30.0, 90.0, 250.0, 360.0}) {
+        const RevolvedArea area = area_of(sheared, profiles::disk(0.25), degrees);
+        const auto [centre, radius] = area.bounds();
+        CHECK_THAT(area.flat_normal()->dot(centre - sheared.origin), WithinAbs(0, 1e-12));
+        const ScrambledSobol points(5);
+        for (std::uint32_t i = 0; i < 1000; ++i) {
+            const AreaPoint p = area.sample(Vec3(0), points(i));
+            CHECK((p.position - centre).length() <= radius * (1 + 1e-12));
+        }
     }
 }
 
