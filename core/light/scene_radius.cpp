@@ -1,6 +1,7 @@
 #include "core/light/scene_radius.h"
 
 #include "core/intersect/kernels.h"
+#include "core/intersect/motion_bounds.h"
 
 namespace etalon {
 namespace {
@@ -14,11 +15,14 @@ Box3 box_of_primitives(const Geometry& geometry) {
     return box;
 }
 
-/// Extends a box by that of an object placed by a map, if that is finite.
-void extend(Box3& box, const Affine& map, const Box3& object) {
-    const Vec3 centre = map.point(object.center()), half = object.size() / 2;
-    const Vec3 reach = half.x * abs(map.x) + half.y * abs(map.y) + half.z * abs(map.z);
-    if (is_finite(centre) && is_finite(reach)) box.extendBy({centre - reach, centre + reach});
+/// Returns the box of an instance at all times; where its map is singular at some time, the one
+/// when the shutter opens.
+Box3 box_of(const Geometry& geometry, const Instance& instance, const Box3& object) {
+    if (instance.moves()) {
+        const MotionBounds bounds(geometry.motions[instance.motion]);
+        if (bounds.exist()) return bounds.box(object);
+    }
+    return image(instance.to_world(), object);
 }
 
 }  // namespace
@@ -29,7 +33,9 @@ double scene_radius(const Geometry& geometry) {
     for (const Geometry& object : geometry.objects) objects.push_back(box_of_primitives(object));
     for (const Instance& instance : geometry.instances) {
         const Box3& object = objects[instance.object];
-        if (!object.isEmpty()) extend(box, instance.to_world(), object);
+        if (object.isEmpty()) continue;
+        const Box3 bounds = box_of(geometry, instance, object);
+        if (is_finite(bounds.min) && is_finite(bounds.max)) box.extendBy(bounds);
     }
     return box.isEmpty() ? 1 : box.size().length() / 2;
 }

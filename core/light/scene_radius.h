@@ -4,8 +4,8 @@
 
 namespace etalon {
 
-/// Returns half the diagonal of the box of everything bounded, when the shutter opens; 1 if there
-/// is nothing. It only weights lights at infinity, which needs no more precision.
+/// Returns half the diagonal of the box of everything bounded while the shutter is open; 1 if there
+/// is nothing. It weights lights at infinity, and in media ends shadow rays to distant lights.
 double scene_radius(const Geometry& geometry);
 
 }  // namespace etalon

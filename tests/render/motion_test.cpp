@@ -1,4 +1,5 @@
 // Motion while the shutter is open, of the camera, shapes and instances.
+#include "core/light/scene_radius.h"
 #include "core/render/camera_sampler.h"
 #include "core/scene/transformed.h"
 #include "tests/render/pbrt_scene.h"
@@ -86,6 +87,38 @@ TEST_CASE("A pixel is covered for the share of the time that something is before
     const TestScene twice = pbrt_scene(
         leaving_square, "Camera \"perspective\" \"float fov\" 4 \"float shutterclose\" 0.5");
     CHECK_THAT(mean_of(twice), WithinAbs(0.75, 4e-3));
+}
+
+TEST_CASE("The radius of a scene is that of all that moves, at any time", "[motion]") {
+    const auto radius = [](const std::string& world) {
+        return scene_radius(pbrt_scene(world).geometry);
+    };
+    const std::string moved = "ActiveTransform EndTime Translate 0 0 100 ActiveTransform All ";
+    CHECK_THAT(radius("Shape \"sphere\""), WithinAbs(std::sqrt(3), 1e-6));
+    CHECK_THAT(radius(moved + "Shape \"sphere\""), WithinAbs(std::hypot(1, 1, 51), 0.1));
+    CHECK_THAT(radius("Rotate 90 1 0 0 " + moved + "Shape \"disk\""),
+               WithinAbs(std::hypot(1, 50, 1), 0.1));
+    CHECK(radius("ActiveTransform EndTime Rotate 180 0 1 0 ActiveTransform All "
+                 "Translate 0 0 10 Shape \"sphere\"") > 11);
+}
+
+TEST_CASE("In media too, what moves far away keeps off a distant light", "[motion]") {
+    // A roof that covers the view when the shutter opens, and moves past the camera to the light.
+    const auto lit = [](const std::string& integrator, const std::string& beside) {
+        return mean_of(
+            pbrt_scene("LightSource \"distant\" \"rgb L\" [3 3 3] \"point from\" [0 0 -1] "
+                       "\"point to\" [0 0 0]\nShape \"disk\"\n" +
+                           beside +
+                           "ActiveTransform EndTime Translate 0 0 -100 ActiveTransform All\n"
+                           "Translate 0 0 -1 Shape \"disk\" \"float radius\" 2\n",
+                       "Integrator \"" + integrator + "\" \"integer maxdepth\" 1"));
+    };
+    const double roof_alone = lit("path", "");
+    CHECK(roof_alone < 0.1);
+    const std::string veil =
+        "AttributeBegin Translate .8 0 0 Material \"none\" Shape \"disk\" "
+        "\"float radius\" .1 AttributeEnd\n";
+    CHECK_THAT(lit("volpath", veil), WithinAbs(roof_alone, 0.01));
 }
 
 TEST_CASE("What moves in a scene scaled by a power of two gives the same pixels", "[motion]") {
