@@ -188,9 +188,29 @@ TEST_CASE("Directions to the beam of a spot have their density", "[media]") {
             mean += wi / count;
         }
         INFO(at.position);
-        CHECK(unknown <= count / 10000);  // of the edges, by roundings
+        CHECK(unknown == 0);
         CHECK_THAT(integral, WithinAbs(1, 0.03));
         for (int c = 0; c < 3; ++c) CHECK_THAT(mean[c], WithinAbs(expected[c], 0.03));
+    }
+}
+
+TEST_CASE("Each direction to the beam of a spot has a density, from afar too", "[media]") {
+    const TestScene scene = foggy_spot("");
+    const auto intersector = find_backend(default_backend)->build(scene.geometry);
+    std::vector<std::string> problems;
+    const Lights lights(scene, problems);
+    const LitRegions regions(scene, lights, *intersector);
+    REQUIRE(!regions.empty());
+    for (const double distance : {3.0, 300.0, 3e4, 1e6}) {
+        const LitRegionsFrom seen(regions, {distance * normalized(Vec3(-0.3, 0.8, -0.5))});
+        Random random(1);
+        int unknown = 0;
+        for (int i = 0; i < 100000; ++i) {
+            const double choice = random.uniform(), u = random.uniform(), v = random.uniform();
+            unknown += seen.density(seen.sample(choice, {u, v})) > 0 ? 0 : 1;
+        }
+        INFO(distance);
+        CHECK(unknown == 0);
     }
 }
 

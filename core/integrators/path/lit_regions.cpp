@@ -216,13 +216,18 @@ Vec3 LitRegionsFrom::sample_sphere(float wanted, const Vec2& uv) const {
                       (1 - sagitta) * axis);
 }
 
+/// An axis is of length 1 up to 3e-7, and the squared distance has a relative error of 4e-7. The
+/// limit leaves room for both, since without a density a direction sampled at a narrow cone's edge
+/// would weigh as much as if few were sampled there.
 float LitRegionsFrom::density(const Vec3& direction) const {
-    const auto x = static_cast<float>(direction.x), y = static_cast<float>(direction.y),
-               z = static_cast<float>(direction.z);
+    constexpr float twice = 2 + 2e-6F, room = 1e-13F;
+    const Vec3f rounded(direction), rest(direction - Vec3(rounded));
     float sum = 0;
     for (std::size_t k = 0; k < LitRegions::count; ++k) {
-        const float dx = x - x_[k], dy = y - y_[k], dz = z - z_[k];
-        sum += dx * dx + dy * dy + dz * dz <= 2 * sagitta_[k] ? densities_[k] : 0;
+        const float dx = rounded.x - x_[k] + rest.x, dy = rounded.y - y_[k] + rest.y,
+                    dz = rounded.z - z_[k] + rest.z;
+        const float distance2 = dx * dx + dy * dy + dz * dz;
+        sum += distance2 <= twice * sagitta_[k] + room ? densities_[k] : 0;
     }
     return disk_weight_ > 0 ? sum + disk_density(direction) : sum;
 }
