@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/intersect/kernels.h"
-#include "core/numerics/luminance.h"
+#include "core/light/strength.h"
 
 namespace etalon {
 namespace {
@@ -86,7 +86,7 @@ AreaLight area_light(const Scene& scene, const AreaSource& source) {
                     binding.flipped,
                     source.two_sided,
                     binding.alpha.texture == no_index && binding.alpha.value == 0,
-                    own ? area_of(shape) * luminance(source.radiance) * sides : 0,
+                    own ? area_of(shape) * strength(source.radiance) * sides : 0,
                     primitive_bounds(geometry, source.primitive)};
     if (light.flat_front)
         *light.flat_front = front(geometry, primitive, binding, *light.flat_front);

@@ -6,7 +6,7 @@
 #include "core/light/delta_lights.h"
 #include "core/light/lights.h"
 #include "core/light/scene_radius.h"
-#include "core/numerics/luminance.h"
+#include "core/light/strength.h"
 
 namespace etalon {
 namespace {
@@ -20,12 +20,12 @@ struct PointBounds {
                      total = std::acos(std::clamp(s.cos_total, -1.0, 1.0));
         return {Box3(s.position),
                 {s.axis, falloff, std::max(0.0, total - falloff), false},
-                luminance(s.intensity)};
+                strength(s.intensity)};
     }
     template <class Other>
     LightBounds operator()(const Other& s) const {
         if constexpr (requires { s.position; }) {
-            return {Box3(s.position), {{0, 0, 1}, pi, 0, false}, luminance(s.intensity)};
+            return {Box3(s.position), {{0, 0, 1}, pi, 0, false}, strength(s.intensity)};
         }
         return {};
     }
@@ -129,7 +129,7 @@ Lights::Source Lights::infinite_source(const PhysicalLight& light,
     const InfiniteLight& made = infinite_lights_.emplace_back(source, problems, sky_sampling);
     infinite_.push_back(static_cast<std::uint32_t>(sources_.size()));
     const double disk = pi * scene_radius_ * scene_radius_;
-    const double power = made.can_be_sampled() ? pi * disk * luminance(made.mean()) : 0;
+    const double power = made.can_be_sampled() ? pi * disk * strength(made.mean()) : 0;
     return {&light, index, power, source.samples};
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/numerics/luminance.h"
+#include "core/light/strength.h"
 
 namespace etalon {
 namespace {
@@ -78,16 +78,16 @@ double solid_angle(const Vec2& half) {
 }
 
 struct DeltaPower {
-    double operator()(const PointSource& s) const { return 4 * pi * luminance(s.intensity); }
+    double operator()(const PointSource& s) const { return 4 * pi * strength(s.intensity); }
     double operator()(const SpotSource& s) const {
-        return 2 * pi * luminance(s.intensity) * (1 - (s.cos_falloff + s.cos_total) / 2);
+        return 2 * pi * strength(s.intensity) * (1 - (s.cos_falloff + s.cos_total) / 2);
     }
-    double operator()(const GoniometricSource& s) const { return 4 * pi * luminance(s.intensity); }
+    double operator()(const GoniometricSource& s) const { return 4 * pi * strength(s.intensity); }
     double operator()(const ProjectionSource& s) const {
-        return solid_angle(half_window(s, *image)) * luminance(s.intensity);
+        return solid_angle(half_window(s, *image)) * strength(s.intensity);
     }
     double operator()(const DistantSource& s) const {
-        return pi * scene_radius * scene_radius * luminance(s.radiance);
+        return pi * scene_radius * scene_radius * strength(s.radiance);
     }
     template <class Other>
     double operator()(const Other&) const {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/light/lights.h"
-#include "core/numerics/luminance.h"
+#include "core/light/strength.h"
 
 namespace etalon {
 namespace {
@@ -30,7 +30,7 @@ double Lights::importance(const Source& source, const Receiver& at) const {
     }
     const LightSample sample = sample_delta(source, at.position);
     const double cosine = one_sided ? std::max(0.0, at.normal.dot(sample.wi)) : 1;
-    return luminance(sample.radiance) * cosine;
+    return strength(sample.radiance) * cosine;
 }
 
 std::optional<LightPick> Lights::pick(Receiver& at, double choice) const {

@@ -63,6 +63,42 @@ TEST_CASE("Lights are picked as often as their probabilities say", "[light]") {
     }
 }
 
+TEST_CASE("Lights that take light away are picked like those that give it", "[light]") {
+    for (const int triangles : {3, 40}) {
+        const Scene scene = lit_scene(triangles);
+        Scene mixed = scene;
+        for (PhysicalLight& light : mixed.physical().lights) {
+            if (auto* const area = std::get_if<AreaSource>(&light); area && area->primitive % 2)
+                area->radiance = -area->radiance;
+            if (auto* const point = std::get_if<PointSource>(&light)) point->intensity = Color(-1);
+        }
+        std::vector<std::string> problems;
+        const Lights given(scene, problems), taken(mixed, problems);
+        Receiver at{Vec3(1, 0.5, 1), Vec3(0, 0, -1)}, same = at;
+        for (int i = 0; i < 100; ++i) {
+            const auto pick = taken.pick(at, i / 100.0), expected = given.pick(same, i / 100.0);
+            REQUIRE((pick && expected));
+            CHECK((pick->light == expected->light && pick->probability == expected->probability));
+        }
+        for (std::uint32_t i = 0; i < given.size(); ++i) {
+            CHECK(taken.pick_probability(at, i) == given.pick_probability(same, i));
+        }
+        const LightPick point = taken.pick_point_light(0.5);
+        CHECK(point.light == static_cast<std::uint32_t>(triangles));
+        CHECK(point.probability == 1);
+    }
+}
+
+TEST_CASE("A light whose luminance is 0 by its signs is picked", "[light]") {
+    Scene scene = lit_scene(2);
+    scene.physical().lights.back() = PointSource{Vec3(0, 0, 3), Color(0.715160F, -0.212671F, 0)};
+    std::vector<std::string> problems;
+    const Lights lights(scene, problems);
+    Receiver at{Vec3(1, 0.5, 1)};
+    REQUIRE(lights.pick(at, 0));
+    CHECK(lights.pick_probability(at, 2) > 0.01);
+}
+
 TEST_CASE("Of few lights none is picked that cannot shine on the point", "[light]") {
     const Scene scene = lit_scene(2);
     std::vector<std::string> problems;
