@@ -90,7 +90,7 @@ const EmbreeBuiltin& EmbreeBuiltin::object_of(const Instance& instance) const {
 std::optional<Affine> EmbreeBuiltin::embree_map(const Instance& instance) const {
     const EmbreeBuiltin& shown = object_of(instance);
     if (instance.moves()) return std::nullopt;
-    if (!shown.others_.empty() || !shown.scene_bounds().unbounded.empty()) return std::nullopt;
+    if (!shown.others_.empty() || shown.scene_bounds().has_more()) return std::nullopt;
     const NormalizedSpace &from = shown.scene_bounds().space, &to = scene_bounds().space;
     const Affine map = instance.to_world();
     const double scale = to.scale() / from.scale();

@@ -84,7 +84,7 @@ NestedSceneData::NestedSceneData(const Geometry& geometry, const Intersector& in
       scale(space.scale()),
       boxes(instance_bounds(geometry,
                             Box3(space.centre() - space.reach(), space.centre() + space.reach()),
-                            FurthestItems::no_limit, nest_padding)
+                            ReachCounts::no_limit, nest_padding)
                 .boxes),
       objects(instances.object_spaces()) {}
 

@@ -13,12 +13,13 @@ class PlainBoxes {
   public:
     explicit PlainBoxes(const Geometry& geometry) : geometry_(geometry) {
         instances_ = boxes_of_instances();
-        FurthestItems furthest;
+        ReachCounts reaches;
         for (std::uint32_t item = 0; item < geometry.item_count(); ++item) {
-            if (is_bounded(item)) furthest.add(reach_of(box(item)));
+            if (!is_bounded(item)) continue;
+            reaches.add(reach_of(box(item)), geometry.is_instance(item));
         }
-        limit_ = furthest.limit();
-        if (limit_ < FurthestItems::no_limit) instances_ = boxes_of_instances();
+        limit_ = reaches.limit();
+        if (limit_ < ReachCounts::no_limit) instances_ = boxes_of_instances();
     }
 
     Box3 box(std::uint32_t item) const {
@@ -38,7 +39,7 @@ class PlainBoxes {
     }
 
     const Geometry& geometry_;
-    double limit_ = FurthestItems::no_limit;
+    double limit_ = ReachCounts::no_limit;
     LargeVector<Box3> instances_;
 };
 
@@ -56,6 +57,7 @@ SceneBounds plain_bounds(const Geometry& geometry) {
         }
     }
     result.space = NormalizedSpace(world);
+    result.separate_far(geometry);
     return result;
 }
 

@@ -15,18 +15,18 @@ constexpr std::size_t chunk_size = 4096;
 
 /// Summary of a part of the scene before there is a normalized space.
 struct ChunkBounds {
-    explicit ChunkBounds(double limit_of_reach = FurthestItems::no_limit) : limit(limit_of_reach) {}
+    explicit ChunkBounds(double limit_of_reach = ReachCounts::no_limit) : limit(limit_of_reach) {}
 
     double limit;
-    FurthestItems furthest;
+    ReachCounts reaches;
     Box3 world;
     std::size_t bounded = 0;
     std::vector<std::uint32_t> unbounded;
 
-    void add(const Box3& box, std::uint32_t id) {
+    void add(const Box3& box, std::uint32_t id, bool is_instance = false) {
         if (is_bounded(box, limit)) {
             world.extendBy(box);
-            furthest.add(reach_of(box));
+            reaches.add(reach_of(box), is_instance);
             ++bounded;
         } else if (!box.isEmpty()) {
             unbounded.push_back(id);
@@ -35,7 +35,7 @@ struct ChunkBounds {
 
     void add(const ChunkBounds& next) {
         world.extendBy(next.world);
-        furthest.add(next.furthest);
+        reaches.add(next.reaches);
         bounded += next.bounded;
         unbounded.insert(unbounded.end(), next.unbounded.begin(), next.unbounded.end());
     }
@@ -65,7 +65,7 @@ SortedItems sort_items(const Geometry& geometry, const Chunks& chunks, double li
     sorted.offsets.push_back(sorted.all.bounded);
     sorted.instances = instance_bounds(geometry, sorted.all.world, limit, padding);
     auto id = static_cast<std::uint32_t>(geometry.primitives.size());
-    for (const Box3& box : sorted.instances.boxes) sorted.all.add(box, id++);
+    for (const Box3& box : sorted.instances.boxes) sorted.all.add(box, id++, true);
     return sorted;
 }
 
@@ -92,9 +92,9 @@ void bound_instances(const Geometry& geometry, const NormalizedSpace& space, dou
 
 SceneBounds SceneBounds::of(const Geometry& geometry, const InstancePadding& padding) {
     const Chunks chunks(geometry.primitives.size(), chunk_size);
-    SortedItems sorted = sort_items(geometry, chunks, FurthestItems::no_limit, padding);
-    const double limit = sorted.all.furthest.limit();
-    if (limit < FurthestItems::no_limit) sorted = sort_items(geometry, chunks, limit, padding);
+    SortedItems sorted = sort_items(geometry, chunks, ReachCounts::no_limit, padding);
+    const double limit = sorted.all.reaches.limit();
+    if (limit < ReachCounts::no_limit) sorted = sort_items(geometry, chunks, limit, padding);
 
     SceneBounds result;
     result.unbounded = std::move(sorted.all.unbounded);
@@ -107,7 +107,21 @@ SceneBounds SceneBounds::of(const Geometry& geometry, const InstancePadding& pad
     });
     bound_instances(geometry, result.space, limit, padding.box, sorted.instances.boxes,
                     result.bounded.data() + sorted.offsets.back());
+    result.separate_far(geometry);
     return result;
+}
+
+void SceneBounds::separate_far(const Geometry& geometry) {
+    const auto is_far = [&](std::uint32_t item) {
+        return !geometry.is_instance(item) &&
+               is_bounded(whole_bounds(geometry, item), ReachCounts::no_limit);
+    };
+    std::ranges::copy_if(unbounded, std::back_inserter(far), is_far);
+    if (far.size() <= ReachCounts::few) {
+        far.clear();
+    } else {
+        std::erase_if(unbounded, is_far);
+    }
 }
 
 SceneBounds SceneBounds::none_bounded(const Geometry& geometry) {

@@ -27,19 +27,26 @@ struct alignas(16) BoundedPrimitive {
 static_assert(sizeof(BoundedPrimitive) == 32);
 
 /// A scene's primitives and instances, bounded and unbounded ones apart. Degenerate ones, which
-/// nothing can hit, are in neither list.
+/// nothing can hit, are in no list.
 struct SceneBounds {
-    /// Computes the bounds with as many threads as allowed. Both lists are in the scene's order.
+    /// Computes the bounds with as many threads as allowed. The lists are in the scene's order.
     static SceneBounds of(const Geometry& geometry, const InstancePadding& padding = full_padding);
 
     /// Puts every primitive into the list of unbounded ones, which are always tested. Instances are
     /// left out.
     static SceneBounds none_bounded(const Geometry& geometry);
 
+    /// Moves the outliers among the unbounded primitives to `far`, if there are more than a few.
+    void separate_far(const Geometry& geometry);
+
+    /// Returns whether there is anything that is not in the list of bounded primitives.
+    bool has_more() const { return !unbounded.empty() || !far.empty(); }
+
     NormalizedSpace space;
     double spread = 1;  ///< see InstanceBounds
     std::vector<BoundedPrimitive> bounded;
-    std::vector<std::uint32_t> unbounded;
+    std::vector<std::uint32_t> unbounded;  ///< always tested
+    std::vector<std::uint32_t> far;        ///< outliers: see ReachCounts
 };
 
 }  // namespace etalon

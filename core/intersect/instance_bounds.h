@@ -23,7 +23,7 @@ struct InstanceBounds {
 /// to the scene: a ray from further away may hit points outside of a box by up to 2^-50 of its
 /// distance times the largest spread.
 InstanceBounds instance_bounds(const Geometry& geometry, const Box3& others,
-                               double limit = FurthestItems::no_limit,
+                               double limit = ReachCounts::no_limit,
                                const InstancePadding& padding = full_padding);
 
 /// Returns the box of all bounded primitives and instances.

@@ -30,7 +30,9 @@ std::optional<Hit> found(const Hit& hit) {
 Intersector::Intersector(const Geometry& geometry, SceneBounds bounds)
     : geometry_(geometry),
       bounds_(std::move(bounds)),
-      has_only_planes_(are_planes(geometry, bounds_.unbounded)) {}
+      has_only_planes_(bounds_.far.empty() && are_planes(geometry, bounds_.unbounded)) {
+    if (!bounds_.far.empty()) far_.emplace(geometry, bounds_.far);
+}
 
 std::vector<ObjectSpace> Intersector::object_spaces() const {
     std::vector<ObjectSpace> spaces;
@@ -40,7 +42,7 @@ std::vector<ObjectSpace> Intersector::object_spaces() const {
 }
 
 std::size_t Intersector::memory_bytes() const {
-    std::size_t bytes = own_bytes();
+    std::size_t bytes = own_bytes() + (far_ ? far_->memory_bytes() : 0);
     for (const auto& object : objects_) bytes += object->memory_bytes();
     return bytes;
 }
@@ -49,8 +51,7 @@ NearestHit Intersector::nearest_unresolved(const Ray& ray, TraversalCost* cost) 
     NearestHit nearest(ray.tmax);
     const RayQuery query(ray);
     if (bounds_.space.surely_misses(ray)) {
-        for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, cost);
-        if (cost != nullptr) cost->primitive_tests += bounds_.unbounded.size();
+        offer_unbounded(query, nearest, cost);
         return nearest;
     }
     if (cost != nullptr) cost->primitive_tests += geometry_.item_count();
@@ -71,10 +72,9 @@ NearestHit Intersector::nearest_hit(const Ray& ray, bool misses, TraversalCost* 
     }
     if (!is_resolved(bounds_.space, ray)) return nearest_unresolved(ray, cost);
     const auto local = misses ? std::nullopt : normalized_ray(bounds_.space, ray);
-    if (!local && bounds_.unbounded.empty()) return nearest;
+    if (!local && !bounds_.has_more()) return nearest;
     const RayQuery query(ray);
-    for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, cost);
-    if (cost != nullptr) cost->primitive_tests += bounds_.unbounded.size();
+    offer_unbounded(query, nearest, cost);
     if (!local) return nearest;
     if (cost != nullptr) {
         closest_counted(query, *local, nearest, *cost);
@@ -86,10 +86,9 @@ NearestHit Intersector::nearest_hit(const Ray& ray, bool misses, TraversalCost* 
 
 bool Intersector::is_occluded_unresolved(const Ray& ray) const {
     const RayQuery query(ray);
-    const auto blocks = [&](std::uint32_t item) { return occludes(item, query); };
-    if (bounds_.space.surely_misses(ray)) return std::ranges::any_of(bounds_.unbounded, blocks);
+    if (bounds_.space.surely_misses(ray)) return unbounded_occludes(query);
     for (std::uint32_t item = 0; item < geometry_.item_count(); ++item) {
-        if (blocks(item)) return true;
+        if (occludes(item, query)) return true;
     }
     return false;
 }
@@ -99,12 +98,9 @@ bool Intersector::is_occluded(const Ray& ray, bool misses) const {
     if (has_extreme_direction(ray)) return is_occluded(RescaledRay(ray).ray);
     if (!is_resolved(bounds_.space, ray)) return is_occluded_unresolved(ray);
     const auto local = misses ? std::nullopt : normalized_ray(bounds_.space, ray);
-    if (!local && bounds_.unbounded.empty()) return false;
+    if (!local && !bounds_.has_more()) return false;
     const RayQuery query(ray);
-    for (const std::uint32_t item : bounds_.unbounded) {
-        if (occludes(item, query)) return true;
-    }
-    return local && occluded_bounded(query, *local);
+    return unbounded_occludes(query) || (local && occluded_bounded(query, *local));
 }
 
 std::optional<Hit> Intersector::closest(const Ray& ray) const {

@@ -8,6 +8,7 @@
 
 #include "core/intersect/batch_intersector.h"
 #include "core/intersect/bounded.h"
+#include "core/intersect/far_tree.h"
 #include "core/intersect/normalized_ray.h"
 #include "core/intersect/ray.h"
 #include "core/intersect/traversal_cost.h"
@@ -132,6 +133,10 @@ class Intersector : public BatchIntersector {
                TraversalCost* cost) const;
     bool occludes(std::uint32_t item, const RayQuery& query) const;
 
+    /// Offers `nearest` the hits on all that is not bounded; returns whether any of that occludes.
+    void offer_unbounded(const RayQuery& query, NearestHit& nearest, TraversalCost* cost) const;
+    bool unbounded_occludes(const RayQuery& query) const;
+
     /// A chunk of a batch, with the nearest hits on planes if these are already known.
     struct Chunk {
         const LocalRays& rays;
@@ -149,7 +154,8 @@ class Intersector : public BatchIntersector {
 
     const Geometry& geometry_;
     SceneBounds bounds_;
-    bool has_only_planes_;  ///< among the unbounded primitives, of which there are some
+    std::optional<FarTree> far_;
+    bool has_only_planes_;  ///< of what is not bounded, of which there is some
     std::vector<std::unique_ptr<Intersector>> objects_;
 };
 

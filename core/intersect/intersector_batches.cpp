@@ -39,7 +39,7 @@ NearestHit Intersector::nearest_unbounded(const RayQuery& query, const Chunk& ch
                                           std::size_t i) const {
     NearestHit nearest(query.ray.tmax);
     if (chunk.planes == nullptr) {
-        for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, nullptr);
+        offer_unbounded(query, nearest, nullptr);
     } else {
         const Hit hit = chunk.planes->hit(i);
         nearest.t = hit.t;
@@ -50,7 +50,7 @@ NearestHit Intersector::nearest_unbounded(const RayQuery& query, const Chunk& ch
 
 Hit Intersector::closest_local(const Ray& ray, const Chunk& chunk, std::size_t i) const {
     const bool enters = chunk.rays.kind(i) == LocalRays::Kind::enters;
-    if (!enters && bounds_.unbounded.empty()) return hit_of(NearestHit(ray.tmax));
+    if (!enters && !bounds_.has_more()) return hit_of(NearestHit(ray.tmax));
     const RayQuery query(ray, chunk.rays.dominant(i));
     NearestHit nearest = nearest_unbounded(query, chunk, i);
     if (enters) closest_bounded(query, chunk.rays.ray(i), nearest);
@@ -60,11 +60,10 @@ Hit Intersector::closest_local(const Ray& ray, const Chunk& chunk, std::size_t i
 bool Intersector::is_occluded_local(const Ray& ray, const Chunk& chunk, std::size_t i) const {
     const bool enters = chunk.rays.kind(i) == LocalRays::Kind::enters;
     if (chunk.planes != nullptr && chunk.planes->hit(i).primitive != no_index) return true;
-    const bool tests_unbounded = chunk.planes == nullptr && !bounds_.unbounded.empty();
+    const bool tests_unbounded = chunk.planes == nullptr && bounds_.has_more();
     if (!enters && !tests_unbounded) return false;
     const RayQuery query(ray, chunk.rays.dominant(i));
-    const auto blocks = [&](std::uint32_t item) { return occludes(item, query); };
-    if (tests_unbounded && std::ranges::any_of(bounds_.unbounded, blocks)) return true;
+    if (tests_unbounded && unbounded_occludes(query)) return true;
     return enters && occluded_bounded(query, chunk.rays.ray(i));
 }
 

@@ -10,7 +10,7 @@ void Intersector::offer_instance(std::uint32_t item, const RayQuery& query, Near
     Ray ray = to_object(*instance, query.ray);
     const Intersector& object = *objects_[instance->object];
     const bool misses = misses_bounds(object.bounds_.space, ray);
-    if (misses && object.bounds_.unbounded.empty()) return;
+    if (misses && !object.bounds_.has_more()) return;
     ray.tmax = nearest.t;
     const NearestHit hit = object.nearest_hit(ray, misses, cost);
     if (hit.found()) nearest.offer(hit.t, item, hit.item);
@@ -21,7 +21,7 @@ bool Intersector::instance_occludes(std::uint32_t item, const RayQuery& query) c
     const Ray ray = to_object(*instance, query.ray);
     const Intersector& object = *objects_[instance->object];
     const bool misses = misses_bounds(object.bounds_.space, ray);
-    return !(misses && object.bounds_.unbounded.empty()) && object.is_occluded(ray, misses);
+    return !(misses && !object.bounds_.has_more()) && object.is_occluded(ray, misses);
 }
 
 void Intersector::offer_entered(std::uint32_t item, const RayQuery& in_object,

@@ -12,8 +12,7 @@ struct alignas(32) ObjectSpace {
     using Axes = std::array<double, 4>;
 
     explicit ObjectSpace(const SceneBounds& object)
-        : ObjectSpace(object.space,
-                      object.unbounded.empty() ? object.space.reach() : Vec3(infinity)) {}
+        : ObjectSpace(object.space, object.has_more() ? Vec3(infinity) : object.space.reach()) {}
 
     /// Returns whether it is bounded and of a size for which t is resolved for every ray with a
     /// direction of usual length.

@@ -192,6 +192,24 @@ Scene outliers(std::size_t count) {
     return scene;
 }
 
+/// Scene within many primitives of all scales that extend far beyond it, around it and to one side.
+Scene far_shell(std::size_t count) {
+    Scene scene = mix(count);
+    Random random(23);
+    for (std::size_t i = 0; i < count / 2; ++i) {
+        const double distance = random.magnitude(6, 9);
+        const double size = distance * random.magnitude(-3, 0);
+        const Vec3 centre = distance * random.direction();
+        if (i % 3 == 0) {
+            scene.geometry.add(Sphere{centre, size}, 0);
+        } else {
+            add_triangle(scene, centre, centre + size * random.direction(),
+                         centre + size * random.direction(), Sides::both);
+        }
+    }
+    return scene;
+}
+
 Scene slivers(std::size_t count) {
     Scene scene;
     Random random(16);
@@ -271,6 +289,7 @@ const std::vector<SceneFamily>& scene_families() {
         {"coplanar", coplanar},
         {"huge_and_tiny", huge_and_tiny},
         {"outliers", outliers},
+        {"far_shell", far_shell},
         {"slivers", slivers},
         {"flat", flat},
         {"closed_mesh", closed_mesh},
