@@ -45,10 +45,14 @@ Json to_json(const FilmAppendix& appendix) {
 FilmAppendix from_json(const Json& json) {
     FilmAppendix result{json.at("identity"), json.at("metadata"), {}};
     for (const Json& film : json.at("films")) {
-        const Json& w = film.at("window");
-        StoredFilm stored{{{w.at(0), w.at(1)}, {w.at(2), w.at(3)}}, {}, film.at("bytes")};
-        for (const Json& s : film.at("shares"))
-            stored.shares.push_back({s.at(0), s.at(1), s.at(2)});
+        const auto w = [&](int i) { return whole_number<int>(film.at("window").at(i)); };
+        StoredFilm stored{
+            {{w(0), w(1)}, {w(2), w(3)}}, {}, whole_number<std::uint64_t>(film.at("bytes"))};
+        for (const Json& s : film.at("shares")) {
+            stored.shares.push_back({whole_number<std::uint64_t>(s.at(0)),
+                                     whole_number<std::uint32_t>(s.at(1)),
+                                     whole_number<std::uint32_t>(s.at(2))});
+        }
         join_shares(stored.shares);
         result.films.push_back(std::move(stored));
     }

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/common/backends.h"
 #include "app/common/program_facts.h"
+#include "app/common/shallow_json.h"
 
 namespace etalon {
 namespace {
@@ -91,10 +94,11 @@ std::string identity_difference(const Json& identity, const Json& other, std::st
 
 RenderSettings film_settings(const Json& identity) {
     RenderSettings s;
-    const Json &size = identity.at("resolution"), &crop = identity.at("crop");
+    const auto size = [&](int i) { return whole_number<int>(identity.at("resolution").at(i)); };
+    const auto crop = [&](int i) { return whole_number<int>(identity.at("crop").at(i)); };
     const Json &filter = identity.at("filter"), &values = identity.at("display values");
-    s.resolution = {size.at(0), size.at(1)};
-    s.crop = {{crop.at(0), crop.at(1)}, {crop.at(2).get<int>() - 1, crop.at(3).get<int>() - 1}};
+    s.resolution = {size(0), size(1)};
+    s.crop = {{crop(0), crop(1)}, {std::max(crop(2), 0) - 1, std::max(crop(3), 0) - 1}};
     const std::string name = filter.at(0);
     for (const FilterType& type : filter_list) {
         if (type.name == name) s.filter.kind = type.kind;

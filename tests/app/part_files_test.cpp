@@ -55,6 +55,10 @@ TEST_CASE("What no image could have left behind is refused, though its hash fits
     CHECK(changed([](FilmAppendix& a) { a.identity = 1; }) == damaged);
     CHECK(changed([](FilmAppendix& a) { a.identity.erase("crop"); }) == damaged);
     CHECK(changed([](FilmAppendix& a) { a.identity["resolution"] = "large"; }) == damaged);
+    for (const Json& width : {Json(4 + (std::int64_t{1} << 32)), Json(4.5), Json(1e57)}) {
+        const auto resized = [&](FilmAppendix& a) { a.identity["resolution"][0] = width; };
+        CHECK(changed(resized) == damaged);
+    }
     CHECK(changed([](FilmAppendix& a) {
               a.identity["filter"] = Json::array({"mitchell", {1e9, 1}});
           }) == damaged);
