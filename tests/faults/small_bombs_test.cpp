@@ -24,7 +24,7 @@ ProgramResult rendered(const Folder& f, const SmallBomb& bomb) {
     if (!bomb.file.empty()) f.write(bomb.file, bomb.bytes);
     return f.shell(fmt::format("exec timeout -s KILL {} '" ETALON_BINARY_DIR
                                "/bin/etalon' render bomb.{} -t 2 --max-memory 900M "
-                               "--time-limit 0.2 -q -o image.exr",
+                               "--time-limit 0.2 -q -o rendered.exr",
                                watchdog_seconds, bomb.format));
 }
 
@@ -47,7 +47,7 @@ TEST_CASE("A small scene that asks for too much gives an error or an image, soon
         const ProgramResult r = rendered(f, bomb);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
         CAPTURE(r.status, r.err, took.count(), r.peak_bytes);
-        CHECK((r.status == 0 ? f.has("image.exr") : reports_an_error(r)));
+        CHECK((r.status == 0 ? f.has("rendered.exr") : reports_an_error(r)));
         CHECK(static_cast<double>(r.peak_bytes) < most_memory);
     }
 }
