@@ -20,7 +20,7 @@ struct GivenParameter {
         values{};
     FileLoc where{};
     std::string_view type_word{};  ///< the type as written: "float", "texture", "xyz"
-    FileLoc not_finite{};  ///< the first infinite number or NaN; line 0 if all are finite
+    FileLoc not_finite{};          ///< the first infinite number or NaN; line 0 if all are finite
 
     /// Returns the number of values: points, not coordinates.
     std::size_t count() const;
