@@ -115,7 +115,7 @@ void UserPrimitives::make_nests(const EmbreeDevice& device, const NormalizedSpac
 
 void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned first,
                            const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives,
-                           std::shared_ptr<const NestedSceneData> shared) {
+                           const std::shared_ptr<const NestedSceneData>& shared) {
     empty_ = primitives.empty();
     std::vector<BoundedPrimitive> singles = take_singles(primitives);
     make_nests(device, space, shared, singles);

@@ -34,7 +34,7 @@ class UserPrimitives {
     /// are in a nested scene already.
     void build(const EmbreeDevice& device, RTCScene target, unsigned first,
                const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives,
-               std::shared_ptr<const NestedSceneData> shared = nullptr);
+               const std::shared_ptr<const NestedSceneData>& shared = nullptr);
 
     bool empty() const { return empty_; }
     std::size_t memory_bytes() const;
