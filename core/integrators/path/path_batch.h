@@ -184,9 +184,9 @@ class PathBatch {
     std::vector<Ray> rays_, next_rays_;
     std::vector<Path> paths_, next_paths_;
     std::vector<Hit> hits_;
-    VertexPoints light_choices_{
-        Decision::light};  ///< for the rays that may scatter, in their order
-    VertexPoints direction_choices_{Decision::way};  ///< for all paths into which they may be split
+    /// For the rays that may scatter, in their order; and for all paths into which they may be
+    /// split.
+    VertexPoints light_choices_{Decision::light}, direction_choices_{Decision::way};
     SeededPoints light_points_;
     std::span<const Vec2> on_lights_;  ///< for each of these, for all samples of all lights
 
