@@ -27,8 +27,8 @@ class LightMaker {
         const Vec3 normal = l.edge1.cross(l.edge2), centre = l.corner + (l.edge1 + l.edge2) / 2;
         const double area = normal.length();
         if (!(area > 0)) return (*this)(PointLight{centre, l.color});
-        const Vec3 way = camera_.at - centre;
-        const double cosine = std::abs(normal.dot(way)) / (area * way.length());
+        const Vec3 to_camera = camera_.at - centre;
+        const double cosine = std::abs(normal.dot(to_camera)) / (area * to_camera.length());
         const double facing = cosine > smallest_part ? cosine : smallest_part;
         add_quadrilateral(l,
                           light_(l.color) * intensity(centre) / static_cast<float>(area * facing));
@@ -38,9 +38,9 @@ class LightMaker {
     /// Compensates for the falloff with the square of the distance, at the point looked at, and for
     /// diffuse surfaces, which reflect 1 / pi of the light into every direction.
     float intensity(const Vec3& position) const {
-        const Vec3 way = camera_.at - position, view = camera_.at - camera_.eye;
+        const Vec3 offset = camera_.at - position, view = camera_.at - camera_.eye;
         const double distance2 =
-            std::max(way.dot(way), smallest_part * smallest_part * view.dot(view));
+            std::max(offset.dot(offset), smallest_part * smallest_part * view.dot(view));
         return static_cast<float>(std::numbers::pi * distance2);
     }
 

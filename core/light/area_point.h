@@ -37,8 +37,8 @@ inline double largest_cosine(const Vec3& normal, const Vec3& to_centre, double r
 /// Converts a density per area to one per steradian at `from`.
 inline double per_steradian(double per_area, const Vec3& from, const Vec3& position,
                             const Vec3& normal) {
-    const Vec3 way = position - from;
-    const double distance2 = way.dot(way), cosine = std::abs(normal.dot(way));
+    const Vec3 to_light = position - from;
+    const double distance2 = to_light.dot(to_light), cosine = std::abs(normal.dot(to_light));
     return cosine > 0 ? per_area * distance2 * std::sqrt(distance2) / cosine : 0;
 }
 

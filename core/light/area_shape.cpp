@@ -22,8 +22,8 @@ double SphereArea::area() const {
 }
 
 std::optional<double> SphereArea::cone(const Vec3& from) const {
-    const Vec3 way = sphere_.centre - from;
-    const double sine2 = sphere_.radius * sphere_.radius / way.dot(way);
+    const Vec3 to_centre = sphere_.centre - from;
+    const double sine2 = sphere_.radius * sphere_.radius / to_centre.dot(to_centre);
     // A point of the sphere itself is on either side of it by roundings. If the cone is close to a
     // hemisphere, sampling the area is as good.
     if (!(sine2 < 1 - 1e-9)) return std::nullopt;
@@ -37,18 +37,19 @@ AreaPoint SphereArea::sample(const Vec3& from, const Vec2& uv) const {
         const Vec3 normal = on_unit_sphere(uv);
         return chosen_by_area(from, centre + radius * normal, normal, area());
     }
-    const Vec3 way = centre - from;
-    const double distance = std::sqrt(way.dot(way)), height = uv.x * *cap;  // 1 - cosine
+    const Vec3 to_centre = centre - from;
+    const double distance = std::sqrt(to_centre.dot(to_centre)),
+                 height = uv.x * *cap;  // 1 - cosine
     const double cosine = 1 - height, sine2 = height * (2 - height);
     // The nearer of the two points where the direction meets the sphere, seen from its centre.
     const double near =
         distance * cosine - std::sqrt(std::max(0.0, radius * radius - distance * distance * sine2));
     Vec3 x, y;
-    const Vec3 axis = way / distance;
+    const Vec3 axis = to_centre / distance;
     orthonormal_basis(axis, x, y);
     const double sine = std::sqrt(sine2), phi = 2 * pi * uv.y;
     const Vec3 direction = sine * std::cos(phi) * x + sine * std::sin(phi) * y + cosine * axis;
-    const Vec3 normal = normalized(near * direction - way);
+    const Vec3 normal = normalized(near * direction - to_centre);
     return {centre + radius * normal, normal, 1 / (2 * pi * *cap)};
 }
 

@@ -20,9 +20,9 @@ double spot_falloff(const SpotSource& s, const Vec3& direction) {
 }
 
 LightSample from_point(const Vec3& position, const Color& intensity, const Vec3& from) {
-    const Vec3 way = position - from;
-    const double distance2 = way.dot(way);
-    LightSample s{way / std::sqrt(distance2), position};
+    const Vec3 to_light = position - from;
+    const double distance2 = to_light.dot(to_light);
+    LightSample s{to_light / std::sqrt(distance2), position};
     s.radiance = intensity / static_cast<float>(distance2);
     s.pdf = distance2 > 0 ? 1 : 0;
     s.is_delta = true;

@@ -9,8 +9,8 @@ Equiangular::Equiangular(const Vec3& light, const Vec3& origin, const Vec3& dire
     : begin_(begin), end_(end), nearest_((light - origin).dot(direction)) {
     // A ray through the light would see it only under right angles.
     constexpr double least = 1e-9;
-    const Vec3 way = light - origin;
-    gap_ = std::max((way - nearest_ * direction).length(), least * way.length());
+    const Vec3 to_light = light - origin;
+    gap_ = std::max((to_light - nearest_ * direction).length(), least * to_light.length());
     first_angle_ = std::atan2(begin - nearest_, gap_);
     angle_ = std::atan2(end - nearest_, gap_) - first_angle_;
 }

@@ -183,14 +183,15 @@ LightTree::Node LightTree::node_of(const LightBounds& bounds) {
 }
 
 double LightTree::importance(const Node& node, const Receiver& at) {
-    const Vec3 way = node.centre - at.position;
-    const double distance2 = way.dot(way), radius2 = static_cast<double>(node.radius) * node.radius;
+    const Vec3 to_centre = node.centre - at.position;
+    const double distance2 = to_centre.dot(to_centre),
+                 radius2 = static_cast<double>(node.radius) * node.radius;
     if (!(distance2 > radius2)) return at_most_largest(node.intensity / radius2);
     const double inverse = 1 / std::sqrt(distance2);
     const double sine2 = radius2 * inverse * inverse;
     const Angle size{std::sqrt(1 - sine2), node.radius * inverse};
-    const double along =
-        -inverse * (node.axis[0] * way.x + node.axis[1] * way.y + node.axis[2] * way.z);
+    const double along = -inverse * (node.axis[0] * to_centre.x + node.axis[1] * to_centre.y +
+                                     node.axis[2] * to_centre.z);
     const Angle spread{node.cos_spread, node.sin_spread};
     const Angle off = of_cosine(node.two_sided ? std::abs(along) : along);
     const double emitted = difference(difference(off, spread), size).cosine;
@@ -199,7 +200,7 @@ double LightTree::importance(const Node& node, const Receiver& at) {
     const double least = -node.cos_emission / 16;
     double received = 1;
     if (at.normal != Vec3(0)) {
-        received = difference(of_cosine(inverse * at.normal.dot(way)), size).cosine;
+        received = difference(of_cosine(inverse * at.normal.dot(to_centre)), size).cosine;
         if (received <= 0) return 0;
     }
     return at_most_largest(node.intensity * std::max(emitted, least) * received * inverse *

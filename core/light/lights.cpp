@@ -30,8 +30,8 @@ LightSample Lights::sample(std::uint32_t light, const Vec3& from, const Vec2& uv
     if (area.exitance == 0 || area.turns_from(from)) return {};
     const AreaPoint point =
         std::visit([&](const auto& shape) { return shape.sample(from, uv); }, area.shape);
-    const Vec3 way = point.position - from;
-    LightSample s{normalized(way), point.position};
+    const Vec3 to_light = point.position - from;
+    LightSample s{normalized(to_light), point.position};
     if (!(point.pdf > 0) || !area.shines(point.normal, s.wi)) return s;
     s.radiance = area.radiance;
     s.pdf = static_cast<float>(point.pdf);

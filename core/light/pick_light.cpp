@@ -23,10 +23,10 @@ double Lights::importance(const Source& source, const Receiver& at) const {
     if (std::holds_alternative<AreaSource>(*source.light)) {
         const AreaLight& light = area_lights_[source.index];
         const auto& [centre, radius] = light.bounds;
-        const Vec3 way = centre - at.position;
-        const double distance2 = std::max(way.dot(way), radius * radius);
-        const double cosine = one_sided ? largest_cosine(at.normal, way, radius) : 1;
-        return light.exitance * cosine * light.facing(-way) / distance2;
+        const Vec3 to_centre = centre - at.position;
+        const double distance2 = std::max(to_centre.dot(to_centre), radius * radius);
+        const double cosine = one_sided ? largest_cosine(at.normal, to_centre, radius) : 1;
+        return light.exitance * cosine * light.facing(-to_centre) / distance2;
     }
     const LightSample sample = sample_delta(source, at.position);
     const double cosine = one_sided ? std::max(0.0, at.normal.dot(sample.wi)) : 1;

@@ -13,10 +13,10 @@ namespace etalon {
 /// A decision at a vertex of a path. Each takes a place in [0, 1)^2 and up to two choices in [0,
 /// 1).
 enum class Decision : std::uint32_t {
-    light,   ///< the first choice selects a light, the place a point on it
-    way,     ///< the choices select a lobe and survival, the place a direction of the lobe
-    flight,  ///< the place selects a distance in a medium, and a point of the ray to connect
-    probe,   ///< where subsurface light enters
+    light,      ///< the first choice selects a light, the place a point on it
+    direction,  ///< the choices select a lobe and survival, the place a direction of the lobe
+    flight,     ///< the place selects a distance in a medium, and a point of the ray to connect
+    probe,      ///< where subsurface light enters
 };
 
 /// The points for one kind of decision at many vertices, generated together. Those of the samples

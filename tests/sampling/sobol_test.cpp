@@ -158,7 +158,7 @@ TEST_CASE("The decisions of vertices are by Sobol' points, each of its own seque
     std::vector<Vec2> expected;  // the same in all targets
     for_each_target([&] {
         std::vector<Vec2> all;
-        for (const Decision decision : {Decision::light, Decision::way}) {
+        for (const Decision decision : {Decision::light, Decision::direction}) {
             VertexPoints vertices(decision);
             for (std::uint32_t i = 0; i < 64; ++i) {
                 SampleSource({1, 2, 3}, i).add_vertex(4, vertices);
@@ -184,7 +184,7 @@ TEST_CASE("The decisions of vertices are by Sobol' points, each of its own seque
 }
 
 TEST_CASE("Random choices at vertices are apart from each other", "[sampling]") {
-    VertexPoints lights(Decision::light), ways(Decision::way);
+    VertexPoints lights(Decision::light), ways(Decision::direction);
     for (VertexPoints* vertices : {&lights, &ways}) {
         for (std::uint32_t i = 0; i < 2; ++i) {
             SampleSource({1, 2, 3, Sampler::random}, i).add_vertex(4, *vertices);
@@ -198,7 +198,7 @@ TEST_CASE("Random choices at vertices are apart from each other", "[sampling]") 
 }
 
 TEST_CASE("The points of the parts of samples make one set", "[sampling]") {
-    VertexPoints parts(Decision::way), samples(Decision::way);
+    VertexPoints parts(Decision::direction), samples(Decision::direction);
     for (std::uint32_t i = 0; i < 32; ++i) {
         SampleSource({1, 2, 3}, i).part(0, 2).add_vertex(4, parts);
         SampleSource({1, 2, 3}, i).part(1, 2).add_vertex(4, parts);

@@ -46,8 +46,8 @@ const SpotSource* brightest_spot(const PhysicalLook& look) {
 }
 
 /// Returns whether some of a ball is not below the horizon of a receiver, if it has one.
-bool is_above(const Receiver& at, const Vec3& way, double radius) {
-    return at.normal == Vec3(0) || at.normal.dot(way) > -radius;
+bool is_above(const Receiver& at, const Vec3& to_centre, double radius) {
+    return at.normal == Vec3(0) || at.normal.dot(to_centre) > -radius;
 }
 
 }  // namespace

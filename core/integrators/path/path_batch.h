@@ -186,7 +186,7 @@ class PathBatch {
     std::vector<Hit> hits_;
     /// For the rays that may scatter, in their order; and for all paths into which they may be
     /// split.
-    VertexPoints light_choices_{Decision::light}, direction_choices_{Decision::way};
+    VertexPoints light_choices_{Decision::light}, direction_choices_{Decision::direction};
     SeededPoints light_points_;
     std::span<const Vec2> on_lights_;  ///< for each of these, for all samples of all lights
 
