@@ -18,7 +18,7 @@ bool has_media(const PhysicalLook& look) {
 /// Returns the emission that camera rays hit, if there is no medium in the way.
 void emission_of(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors) {
     RayCounts not_of_the_image;
-    PathBatch<false>(scene, samples, colors, not_of_the_image, 0).run();
+    PathBatch<false>(scene, samples, colors, not_of_the_image, PathLight::emission).run();
 }
 
 }  // namespace

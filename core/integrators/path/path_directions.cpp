@@ -45,9 +45,9 @@ void PathBatch<in_media>::see_lit_regions(const Receiver& at, PathVertex& vertex
 
 template <bool in_media>
 template <class Vertex>
-void PathBatch<in_media>::scatter(const Path& path, const Vertex& at) {
+void PathBatch<in_media>::scatter(const PathState& path, const Vertex& at) {
     if (at.split_count == 1) return scatter(path, at, at.numbers.first_split);
-    Path part = path;
+    PathState part = path;
     part.is_split = true;
     part.throughput /= static_cast<float>(at.split_count);
     part.roulette_scale *= static_cast<float>(at.split_count);
@@ -59,20 +59,20 @@ void PathBatch<in_media>::scatter(const Path& path, const Vertex& at) {
 
 template <bool in_media>
 template <class Vertex>
-void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_t split) {
-    const Vec2 choices = direction_choices_.choices(split);
+void PathBatch<in_media>::scatter(const PathState& path, const Vertex& at, std::size_t split) {
+    const Vec2 choices = points_.direction_choices(split);
     if (choices.y >= at.survival) return;
     float favour = 1;
     const std::optional<BsdfSample> s =
-        sample_direction<in_media>(at, choices.x, direction_choices_.place(split), favour);
+        sample_direction<in_media>(at, choices.x, points_.direction(split), favour);
     if (!s || s->f == Color(0.0F) || !(s->pdf > 0)) return;
     if constexpr (std::is_same_v<Vertex, SurfaceVertex>) {
-        if (at.subsurface && s->transmission) return enter(path, at, *s);
+        if (at.subsurface && s->transmission) return below_.add(path, at, *s);
     }
     // Direct lighting ends with a lit vertex, not with a ray from it to a light in a mirror.
-    if (shared_.direct_only && s->specular && path.depth + 1 >= most_vertices_) return;
+    if (shared_.direct_only && s->specular && path.depth + 1 >= shared_.most_vertices) return;
     const float cosine = at.cosine(s->wi);
-    Path& next = next_paths_.emplace_back(path);
+    PathState& next = next_.paths.emplace_back(path);
     next.throughput *= s->f * (cosine / (s->pdf * at.survival));
     next.density = at.expected_paths() * s->pdf;
     next.specular = s->specular;
@@ -83,18 +83,18 @@ void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_
     ++next.depth;
     next.name = ray_name(path.name, false);
     if (std::is_same_v<Vertex, SurfaceVertex> && !survives(next, choices.y)) {
-        next_paths_.pop_back();
+        next_.paths.pop_back();
         return;
     }
-    next_rays_.push_back(at.ray(s->wi));
-    if constexpr (in_media) next_media_.push_back(at.medium_towards(s->wi));
+    next_.rays.push_back(at.ray(s->wi));
+    if constexpr (in_media) next_.media.push_back(at.medium_towards(s->wi));
     ++(s->transmission ? counts_.refracted : counts_.reflected);
 }
 
 /// Returns the probability with which a path continues, in proportion to its throughput, so that
 /// those that do have about the same (Russian roulette).
 template <bool in_media>
-float PathBatch<in_media>::survival(const Path& path) const {
+float PathBatch<in_media>::survival(const PathState& path) const {
     constexpr float part_kept = 2.5F;  // by measurement: below, the survivors' noise costs more
     const Color expected = path.throughput * path.roulette_scale;
     const float most = std::max({expected.x, expected.y, expected.z});
@@ -103,7 +103,7 @@ float PathBatch<in_media>::survival(const Path& path) const {
 
 /// Returns whether a path from a surface continues; it then gets the weight of those that end.
 template <bool in_media>
-bool PathBatch<in_media>::survives(Path& path, double choice) const {
+bool PathBatch<in_media>::survives(PathState& path, double choice) const {
     constexpr int first_at_stake = 3;  // by measurement, too
     if (path.depth < first_at_stake) return true;
     const float probability = survival(path);
@@ -114,11 +114,11 @@ bool PathBatch<in_media>::survives(Path& path, double choice) const {
 
 template void PathBatch<false>::see_lit_regions(const Receiver&, PathVertex&);
 template void PathBatch<true>::see_lit_regions(const Receiver&, PathVertex&);
-template float PathBatch<false>::survival(const Path&) const;
-template float PathBatch<true>::survival(const Path&) const;
-template void PathBatch<false>::scatter(const Path&, const SurfaceVertex&);
-template void PathBatch<true>::scatter(const Path&, const SurfaceVertex&);
-template void PathBatch<true>::scatter(const Path&, const MediumVertex&);
-template void PathBatch<false>::scatter(const Path&, const MediumVertex&);
+template float PathBatch<false>::survival(const PathState&) const;
+template float PathBatch<true>::survival(const PathState&) const;
+template void PathBatch<false>::scatter(const PathState&, const SurfaceVertex&);
+template void PathBatch<true>::scatter(const PathState&, const SurfaceVertex&);
+template void PathBatch<true>::scatter(const PathState&, const MediumVertex&);
+template void PathBatch<false>::scatter(const PathState&, const MediumVertex&);
 
 }  // namespace etalon

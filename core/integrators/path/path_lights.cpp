@@ -1,4 +1,5 @@
 // The light that paths hit, and that their vertices sample.
+#include "core/integrators/path/light_along_rays.h"
 #include "core/integrators/path/path_batch.h"
 #include "core/integrators/path/path_directions.h"
 #include "core/sampling/dimensions.h"
@@ -22,7 +23,7 @@ float balance_weight(float a, float b) {
 }  // namespace
 
 template <bool in_media>
-void PathBatch<in_media>::add_escaped(const Path& path, const Vec3& direction) {
+void PathBatch<in_media>::add_escaped(const PathState& path, const Vec3& direction) {
     if (path.is_unlit) return;
     for (const std::uint32_t light : shared_.lights.infinite()) {
         const InfiniteLight& infinite = shared_.lights.infinite_light(light);
@@ -38,7 +39,7 @@ void PathBatch<in_media>::add_escaped(const Path& path, const Vec3& direction) {
 }
 
 template <bool in_media>
-void PathBatch<in_media>::add_emitted(const Path& path, const PhysicalSurface& at,
+void PathBatch<in_media>::add_emitted(const PathState& path, const PhysicalSurface& at,
                                       const Vec3& direction) {
     const SurfaceBinding& binding = *at.binding;
     if (binding.light == no_index || path.is_unlit) return;
@@ -57,22 +58,22 @@ void PathBatch<in_media>::add_emitted(const Path& path, const PhysicalSurface& a
 
 template <bool in_media>
 template <class Vertex>
-void PathBatch<in_media>::sample_lights(Path& path, const Vertex& at) {
+void PathBatch<in_media>::sample_lights(PathState& path, const Vertex& at) {
     if (!shared_.samples_all) {
         const std::size_t number = at.numbers.vertex;
-        const auto pick = shared_.lights.pick(path.last, light_choices_.choices(number).x);
+        const auto pick = shared_.lights.pick(path.last, points_.light_choice(number));
         if (!pick) return;
         sample_light(
             path, at,
-            {pick->light, static_cast<float>(pick->probability), light_choices_.place(number), 0});
+            {pick->light, static_cast<float>(pick->probability), points_.on_light(number), 0});
         return;
     }
-    std::size_t first = at.numbers.vertex * shared_.lights.samples(), next = first;
+    const auto on_lights = points_.on_all_lights(at.numbers.vertex);
+    std::size_t next = 0;
     for (std::uint32_t light = 0; light < shared_.lights.size(); ++light) {
         const int samples = shared_.lights.samples(light);
         for (int k = 0; k < samples; ++k) {
-            sample_light(path, at,
-                         {light, static_cast<float>(samples), on_lights_[next], next - first});
+            sample_light(path, at, {light, static_cast<float>(samples), on_lights[next], next});
             ++next;
         }
     }
@@ -80,7 +81,7 @@ void PathBatch<in_media>::sample_lights(Path& path, const Vertex& at) {
 
 template <bool in_media>
 template <class Vertex>
-void PathBatch<in_media>::sample_light(const Path& path, const Vertex& at,
+void PathBatch<in_media>::sample_light(const PathState& path, const Vertex& at,
                                        const LightQuery& query) {
     const LightSample light = shared_.lights.sample(query.light, path.last.position, query.uv);
     if (!(light.pdf > 0) || light.radiance == Color(0.0F)) return;
@@ -96,48 +97,32 @@ void PathBatch<in_media>::sample_light(const Path& path, const Vertex& at,
                                    : power_weight(asked, scattered_density);
     }
     if constexpr (std::is_same_v<Vertex, MediumVertex>) {
-        if (light.is_delta && !light.at_infinity) weight = flight_share(at, query);
+        if (light.is_delta && !light.at_infinity) {
+            weight = share_of_flights(shared_, at, query.light, query.expected_samples);
+        }
     }
     const float cosine = at.cosine(light.wi);
     const Color color = scattered.f * light.radiance * (cosine * weight / asked);
     Ray ray = light.at_infinity ? at.ray(light.wi) : at.ray_to(light.target);
     if (!light.at_infinity) ray.tmax = shadow_end;
+    const LightContribution contribution{path.sample, path.throughput * color};
     if constexpr (in_media) {
         if (light.at_infinity && light.is_delta) ray.tmax = 2 * shared_.lights.scene_radius();
-        shadow_media_.push_back(
-            {at.medium_towards(light.wi),
-             path.source.sequence(shadow_collision_dimension(path.name, query.number))});
-    }
-    ray.set_shadow();
-    shadow_rays_.push_back(ray);
-    light_contributions_.push_back({path.sample, path.throughput * color});
-}
-
-template <bool in_media>
-void PathBatch<in_media>::add_light_contributions() {
-    blocked_.resize(shadow_rays_.size());
-    counts_.shadow += shadow_rays_.size();
-    if constexpr (in_media) {
-        attenuate_light_contributions();
+        shadows_.add(ray, contribution,
+                     {at.medium_towards(light.wi),
+                      path.source.sequence(shadow_collision_dimension(path.name, query.number))});
     } else {
-        shared_.intersector.occluded(shadow_rays_, blocked_);
-    }
-    for (std::size_t i = 0; i < light_contributions_.size(); ++i) {
-        counts_.shadow_blocked += blocked_[i];
-        if (blocked_[i] == 0)
-            colors_[light_contributions_[i].sample] += light_contributions_[i].color;
+        shadows_.add(ray, contribution);
     }
 }
 
-template void PathBatch<false>::add_escaped(const Path&, const Vec3&);
-template void PathBatch<true>::add_escaped(const Path&, const Vec3&);
-template void PathBatch<false>::add_emitted(const Path&, const PhysicalSurface&, const Vec3&);
-template void PathBatch<true>::add_emitted(const Path&, const PhysicalSurface&, const Vec3&);
-template void PathBatch<false>::sample_lights(Path&, const SurfaceVertex&);
-template void PathBatch<true>::sample_lights(Path&, const SurfaceVertex&);
-template void PathBatch<false>::sample_lights(Path&, const MediumVertex&);
-template void PathBatch<true>::sample_lights(Path&, const MediumVertex&);
-template void PathBatch<false>::add_light_contributions();
-template void PathBatch<true>::add_light_contributions();
+template void PathBatch<false>::add_escaped(const PathState&, const Vec3&);
+template void PathBatch<true>::add_escaped(const PathState&, const Vec3&);
+template void PathBatch<false>::add_emitted(const PathState&, const PhysicalSurface&, const Vec3&);
+template void PathBatch<true>::add_emitted(const PathState&, const PhysicalSurface&, const Vec3&);
+template void PathBatch<false>::sample_lights(PathState&, const SurfaceVertex&);
+template void PathBatch<true>::sample_lights(PathState&, const SurfaceVertex&);
+template void PathBatch<false>::sample_lights(PathState&, const MediumVertex&);
+template void PathBatch<true>::sample_lights(PathState&, const MediumVertex&);
 
 }  // namespace etalon

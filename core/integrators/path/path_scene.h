@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/integrators/path/lit_regions.h"
+#include "core/integrators/path/path_state.h"
 #include "core/medium/media.h"
 #include "core/scene/render_settings.h"
 #include "core/shading/physical_shading.h"
@@ -36,6 +37,17 @@ struct PathScene {
     /// Returns how many samples of the light a vertex takes, on average.
     double expected_samples(const Receiver& at, std::uint32_t light) const {
         return samples_all ? lights.samples(light) : lights.pick_probability(at, light);
+    }
+
+    /// Returns whether a path may be scattered at its next vertex.
+    bool may_go_on(const PathState& path) const {
+        return !path.last_ray && path.depth < most_vertices;
+    }
+
+    /// Returns the number of paths into which a path is split at a smooth lobe. They share the
+    /// camera ray and the light sampled there, which are less noisy than what follows.
+    std::uint32_t split_count(const PathState& path) const {
+        return path.is_split || samples_all ? 1 : 2;
     }
 
     const Scene& scene;

@@ -4,17 +4,12 @@
 #include "core/bsdf/bsdf_from.h"
 #include "core/diffusion/subsurface.h"
 #include "core/integrators/path/lit_regions.h"
+#include "core/integrators/path/wave_points.h"
 #include "core/medium/henyey_greenstein.h"
 #include "core/medium/ray_segment.h"
 #include "core/shading/physical_surface.h"
 
 namespace etalon {
-
-/// Indices of the random numbers of a vertex.
-struct VertexNumbers {
-    std::size_t vertex = 0;       ///< among the vertices that may scatter
-    std::size_t first_split = 0;  ///< among the paths into which they may be split
-};
 
 struct PathVertex {
     VertexNumbers numbers;
