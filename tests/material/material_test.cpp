@@ -2,6 +2,7 @@
 
 #include <typeinfo>
 
+#include "core/scene/most_lobes.h"
 #include "tests/catch.h"
 #include "tests/material/material_cases.h"
 
@@ -54,6 +55,35 @@ TEST_CASE("Materials have the lobes that PBRT gives them", "[material]") {
         TranslucentMaterial{c, c, c, c, even});
     check_lobes<LambertTransmission, T>(TranslucentMaterial{c, c, none, c, even});
     check_lobes<>(NoMaterial{});
+}
+
+TEST_CASE("A material has as many lobes as are counted for it, where all that it names is there",
+          "[material]") {
+    const ColorSlot c{grey};
+    const NumberSlot some{0.5F}, eta{1.5F};
+    const Roughness even = rough(0.1F, 0.1F);
+    const GlassMaterial glass{c, c, eta, even};
+    const auto check_count = []<class Kind>(const Kind& material) {
+        INFO(typeid(material).name());
+        CHECK(flat_scattering_of(material).lobes().size() == most_lobes<Kind>);
+    };
+    check_count(MatteMaterial{c, {20}});
+    check_count(PlasticMaterial{c, c, even});
+    check_count(MirrorMaterial{c});
+    check_count(glass);
+    check_count(MetalMaterial{c, c, even});
+    check_count(UberMaterial{c, c, c, c, c, eta, even});
+    check_count(TranslucentMaterial{c, c, c, c, even});
+    check_count(SubstrateMaterial{c, c, even});
+    check_count(SubsurfaceMaterial{glass, c, c});
+    check_count(KdSubsurfaceMaterial{glass, c, c});
+    check_count(HairMaterial{HairPigment::reflectance, c, {1}, {1}, eta, some, some, {2}});
+    check_count(NoMaterial{});
+    DisneyMaterial disney{c, some, eta, some, some, some, some, some, some, some, some, some, some};
+    disney.scatter_distance = c;
+    check_count(disney);
+    disney.thin = true;
+    check_count(disney);
 }
 
 TEST_CASE("An uber surface has a lobe for each of its colours, all less by its opacity",

@@ -3,6 +3,7 @@
 
 #include "core/bsdf/lobe_list.h"
 #include "core/formats/pbrt/build/scattering_values.h"
+#include "core/scene/most_lobes.h"
 
 namespace etalon::pbrt {
 namespace {
@@ -157,26 +158,25 @@ Kind no_surface(SceneBuilder&, const Material&) {
 struct Entry {
     std::string_view name;
     Kind (*build)(SceneBuilder&, const Material&);
-    std::size_t lobes;  ///< number of lobes at most; for a mix, beside its parts'
 };
 
 // To add a material: a function above and a line here.
 constexpr std::array entries = {
-    Entry{"matte", matte, 1},
-    Entry{"plastic", plastic, 2},
-    Entry{"translucent", translucent, 4},
-    Entry{"glass", glass, 2},
-    Entry{"mirror", mirror, 1},
-    Entry{"metal", metal, 1},
-    Entry{"uber", uber, 5},
-    Entry{"substrate", substrate, 1},
-    Entry{"disney", disney, 6},
-    Entry{"hair", hair, 1},
-    Entry{"subsurface", subsurface, 2},
-    Entry{"kdsubsurface", kd_subsurface, 2},
-    Entry{"fourier", fourier, 1},
-    Entry{"mix", mix, 0},
-    Entry{"none", no_surface, 0},
+    Entry{"matte", matte},
+    Entry{"plastic", plastic},
+    Entry{"translucent", translucent},
+    Entry{"glass", glass},
+    Entry{"mirror", mirror},
+    Entry{"metal", metal},
+    Entry{"uber", uber},
+    Entry{"substrate", substrate},
+    Entry{"disney", disney},
+    Entry{"hair", hair},
+    Entry{"subsurface", subsurface},
+    Entry{"kdsubsurface", kd_subsurface},
+    Entry{"fourier", fourier},
+    Entry{"mix", mix},
+    Entry{"none", no_surface},
 };
 
 const Entry& entry_of(const Material& m) {
@@ -184,18 +184,17 @@ const Entry& entry_of(const Material& m) {
 }
 
 /// Returns the number of lobes that a material has at most, with those of its parts.
-std::size_t most_lobes(const Frame& frame, const Material& m, int depth = 0) {
+std::size_t count_lobes(const Kind& kind, const std::vector<PhysicalMaterial>& all, int depth = 0) {
     constexpr int deepest = 8;
-    std::size_t count = entry_of(m).lobes;
-    for (const std::uint32_t part : m.mixed) {
-        if (part == none || depth == deepest) continue;
-        count += most_lobes(frame, frame.materials[part], depth + 1);
+    if (const auto* mix = std::get_if<MixedMaterial>(&kind); mix && depth < deepest) {
+        return count_lobes(all[mix->first].kind, all, depth + 1) +
+               count_lobes(all[mix->second].kind, all, depth + 1);
     }
-    return count;
+    return std::visit([]<class K>(const K&) { return most_lobes<K>; }, kind);
 }
 
-void warn_of_lost_lobes(SceneBuilder& b, const Material& m) {
-    const std::size_t lobes = most_lobes(b.frame, m);
+void warn_of_lost_lobes(SceneBuilder& b, const Material& m, const Kind& built) {
+    const std::size_t lobes = count_lobes(built, b.look().materials);
     if (lobes <= LobeList::capacity) return;
     b.warn(m.plugin.where, "lobes",
            "the materials of this mix have up to {} lobes; those after the first {} are left out",
@@ -207,7 +206,7 @@ void warn_of_lost_lobes(SceneBuilder& b, const Material& m) {
 void build_materials(SceneBuilder& b) {
     for (const Material& m : b.frame.materials) {
         PhysicalMaterial built{entry_of(m).build(b, m)};
-        warn_of_lost_lobes(b, m);
+        warn_of_lost_lobes(b, m, built.kind);
         if (m.plugin.parameters.texture("bumpmap")) {
             built.bump = b.number(m.plugin.parameters, "bumpmap");
         }
