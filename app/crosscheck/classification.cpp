@@ -21,6 +21,7 @@ bool is_nearest(const Hit& hit, const OracleAnswer& truth) {
 Classification classify(const OracleAnswer& truth, const Answer& answer) {
     Classification classification;
     classification.decided = truth.kind != OracleAnswer::undecidable;
+    classification.differs = answer.differs;
     if (!classification.decided) return classification;
     const bool is_hit = truth.kind == OracleAnswer::hit;
     classification.wrong_class = answer.closest.has_value() != is_hit;

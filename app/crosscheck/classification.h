@@ -6,13 +6,14 @@
 namespace etalon::crosscheck {
 
 struct Classification {
-    bool decided = true;           ///< false: the oracle cannot decide; ignore the rest
+    bool decided = true;           ///< false: the oracle cannot decide; only `differs` is known
     bool wrong_class = false;      ///< a hit instead of a miss, or the reverse
     bool wrong_primitive = false;  ///< not the nearest one
     bool wrong_occlusion = false;  ///< occluded() is wrong
+    bool differs = false;          ///< see Answer
     double t_ulp = 0;  ///< error of t in ulp of double, if there is a hit and one was found
 
-    bool right() const { return !wrong_class && !wrong_primitive && !wrong_occlusion; }
+    bool right() const { return !wrong_class && !wrong_primitive && !wrong_occlusion && !differs; }
 };
 
 Classification classify(const OracleAnswer& truth, const Answer& answer);

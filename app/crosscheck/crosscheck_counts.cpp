@@ -11,6 +11,7 @@ void count(const Classification& classification, bool found, CrosscheckCounts& c
     counts.class_errors += classification.wrong_class ? 1 : 0;
     counts.primitive_errors += classification.wrong_primitive ? 1 : 0;
     counts.occlusion_errors += classification.wrong_occlusion ? 1 : 0;
+    counts.differences += classification.differs ? 1 : 0;
     const bool on_target =
         classification.decided && !classification.wrong_class && !classification.wrong_primitive;
     if (found && on_target) counts.t_ulp.push_back(classification.t_ulp);
@@ -44,6 +45,7 @@ CrosscheckCounts sum(const std::vector<CrosscheckCounts>& all_counts) {
         all.class_errors += t.class_errors;
         all.primitive_errors += t.primitive_errors;
         all.occlusion_errors += t.occlusion_errors;
+        all.differences += t.differences;
         all.t_ulp.insert(all.t_ulp.end(), t.t_ulp.begin(), t.t_ulp.end());
         all.seconds += t.seconds;
     }

@@ -17,6 +17,7 @@ Json to_json(const CrosscheckCounts& t) {
             {"t_p99_ulp", t.t_quantile(0.99)},
             {"t_max_ulp", t.t_quantile(1)},
             {"occlusion_errors", t.occlusion_errors},
+            {"differences", t.differences},
             {"mrays_per_s", rate}};
 }
 

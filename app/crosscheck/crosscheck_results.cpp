@@ -34,6 +34,8 @@ std::vector<CrosscheckedTracer> trace_all(const CrosscheckConfig& config, const 
         std::optional<CrosscheckedTracer> tracer =
             trace(name, scene, trials, is_late ? never : run.stop, deadline);
         if (!tracer) break;
+        const auto other = std::ranges::find(tracers, true, &CrosscheckedTracer::exact);
+        if (tracer->exact && other != tracers.end()) mark_differences(*tracer, *other);
         tracers.push_back(std::move(*tracer));
         run.progress(static_cast<double>(tracers.size()) /
                      static_cast<double>(config.backends.size()));

@@ -31,8 +31,9 @@ struct CrosscheckConfig {
     std::size_t worst = 5;    ///< number of rays kept for each backend
 };
 
-/// Compares the backends with the oracle. A stop during the oracle's work leaves fewer rays, which
-/// are then traced with all backends; a later stop leaves fewer backends.
+/// Compares the backends with the oracle, and the exact ones with the first of them. A stop during
+/// the oracle's work leaves fewer rays, which are then traced with all backends; a later stop
+/// leaves fewer backends.
 Results crosscheck(const Scene& scene, const Imath::V2i& resolution, const CrosscheckConfig& config,
                    const CrosscheckProgress& run);
 

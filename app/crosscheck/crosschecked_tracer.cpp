@@ -1,5 +1,7 @@
 #include "app/crosscheck/crosschecked_tracer.h"
 
+#include <bit>
+
 #include "app/common/backends.h"
 #include "app/common/stopwatch.h"
 
@@ -27,6 +29,17 @@ std::optional<Answers> trace(const Intersector& intersector, const std::vector<R
     return answers;
 }
 
+bool same_bits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+bool same(const Answer& a, const Answer& b) {
+    if (a.occluded != b.occluded || a.closest.has_value() != b.closest.has_value()) return false;
+    return !a.closest ||
+           (same_bits(a.closest->t, b.closest->t) && a.closest->primitive == b.closest->primitive &&
+            a.closest->instance == b.closest->instance);
+}
+
 }  // namespace
 
 std::optional<CrosscheckedTracer> trace(const std::string& backend, const Scene& scene,
@@ -42,6 +55,15 @@ std::optional<CrosscheckedTracer> trace(const std::string& backend, const Scene&
         tracer.answers.push_back(std::move(*answers));
     }
     return tracer;
+}
+
+void mark_differences(CrosscheckedTracer& tracer, const CrosscheckedTracer& other) {
+    for (std::size_t t = 0; t < tracer.answers.size(); ++t) {
+        for (std::size_t i = 0; i < tracer.answers[t].all.size(); ++i) {
+            Answer& answer = tracer.answers[t].all[i];
+            answer.differs = !same(answer, other.answers[t].all[i]);
+        }
+    }
 }
 
 }  // namespace etalon::crosscheck

@@ -10,6 +10,7 @@ namespace etalon::crosscheck {
 struct Answer {
     std::optional<Hit> closest;
     bool occluded = false;
+    bool differs = false;  ///< from another exact backend's answer; see mark_differences()
 };
 
 /// A backend's answers to the rays of one trial, in their order.
@@ -29,5 +30,9 @@ struct CrosscheckedTracer {
 std::optional<CrosscheckedTracer> trace(const std::string& backend, const Scene& scene,
                                         const std::vector<Trial>& trials,
                                         const std::atomic<bool>& stop, const Deadline& deadline);
+
+/// Marks the answers of an exact backend that differ in any bit from those of another, whether or
+/// not the oracle can decide the ray.
+void mark_differences(CrosscheckedTracer& tracer, const CrosscheckedTracer& other);
 
 }  // namespace etalon::crosscheck

@@ -19,9 +19,9 @@ struct Case {
     bool graver_than(const Case& other) const { return rank() > other.rank(); }
 
   private:
-    std::tuple<bool, bool, bool, double> rank() const {
+    std::tuple<bool, bool, bool, bool, double> rank() const {
         const Classification& v = classification;
-        return {v.wrong_class, v.wrong_occlusion, v.wrong_primitive, v.t_ulp};
+        return {v.wrong_class, v.wrong_occlusion, v.wrong_primitive, v.differs, v.t_ulp};
     }
 };
 
@@ -41,6 +41,7 @@ std::vector<Case> cases(const std::vector<Trial>& trials, const CrosscheckedTrac
 }
 
 std::string describe(const Scene& scene, const OracleAnswer& truth) {
+    if (truth.kind == OracleAnswer::undecidable) return "undecidable";
     if (truth.kind != OracleAnswer::hit) return "miss";
     return hit_text(scene.geometry, {truth.t, truth.primitive, truth.instance});
 }
@@ -54,6 +55,7 @@ std::string what_is_wrong(const Classification& v, const Answer& answer) {
     if (v.wrong_class) return answer.closest ? "hit where there is none" : "hit not found";
     if (v.wrong_occlusion) return answer.occluded ? "called occluded" : "not called occluded";
     if (v.wrong_primitive) return "not the nearest primitive";
+    if (v.differs) return "unlike another exact backend's answer";
     return fmt::format("t off by {:.3g} ulp", v.t_ulp);
 }
 

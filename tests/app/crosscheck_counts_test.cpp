@@ -34,6 +34,12 @@ CrosscheckedTracer tracer(const std::string& name, std::vector<Answer> answers) 
     return {name, false, {Answers{std::move(answers)}}};
 }
 
+Scene eight_balls() {
+    Scene scene;
+    for (int i = 0; i < 8; ++i) scene.geometry.add(Sphere{Vec3(0), 1}, 0);
+    return scene;
+}
+
 }  // namespace
 
 TEST_CASE("An answer is classified by class, primitive, occlusion and distance", "[crosscheck]") {
@@ -62,14 +68,35 @@ TEST_CASE("The counts leave out undecidable rays and order the errors of t", "[c
     CHECK(t.t_quantile(1) == 4);
 }
 
+TEST_CASE("An exact backend's answers must be those of the others, decidable or not",
+          "[crosscheck]") {
+    const Trial trial{
+        "aimed", std::vector<Ray>(4), {hit_at(2, {5, 7}), {}, undecidable(), undecidable()}};
+    const CrosscheckedTracer a = tracer("a", {ball_at_2, nothing, ball_at_2, nothing});
+    CrosscheckedTracer b = tracer("b", {{Hit{2, 5}, true}, nothing, {Hit{2, 7}, false}, nothing});
+    mark_differences(b, a);
+    const CrosscheckCounts t = counts_of(trial, b.answers[0]);
+    CHECK(t.differences == 2);
+    CHECK_FALSE(t.clean());
+    CHECK(t.class_errors + t.primitive_errors + t.occlusion_errors == 0);
+    CHECK(worst_rays(eight_balls(), {trial}, b, 9).size() == 2);
+
+    CrosscheckedTracer zero = tracer("zero", {{Hit{0.0, 7}, true}}), negative = zero;
+    negative.answers[0].all[0].closest->t = -0.0;
+    mark_differences(negative, zero);
+    CHECK(negative.answers[0].all[0].differs);
+}
+
 TEST_CASE("The sum of tallies is the sum of each of their numbers", "[crosscheck]") {
-    const CrosscheckCounts a{1, 2, 4, 8, 16, {0, 4}, 0.5}, b{100, 200, 400, 800, 1600, {2}, 0.25};
+    const CrosscheckCounts a{1, 2, 4, 8, 16, 32, {0, 4}, 0.5},
+        b{100, 200, 400, 800, 1600, 3200, {2}, 0.25};
     const CrosscheckCounts both = sum({a, b});
     CHECK(both.rays == 101);
     CHECK(both.undecidable == 202);
     CHECK(both.class_errors == 404);
     CHECK(both.primitive_errors == 808);
     CHECK(both.occlusion_errors == 1616);
+    CHECK(both.differences == 3232);
     CHECK(both.t_ulp == std::vector<double>{0, 2, 4});
     CHECK(both.seconds == 0.75);
 }
@@ -112,8 +139,7 @@ TEST_CASE("Only a backend that promises to be exact breaks the promise by an err
 }
 
 TEST_CASE("The worst rays come gravest first, the furthest off among equals", "[crosscheck]") {
-    Scene scene;
-    for (int i = 0; i < 8; ++i) scene.geometry.add(Sphere{Vec3(0), 1}, 0);
+    const Scene scene = eight_balls();
     const Trial trial{"bounce", std::vector<Ray>(4), std::vector(4, hit_at(2, {7}))};
     const CrosscheckedTracer c =
         tracer("c", {{Hit{2.5, 6}, true}, {Hit{3, 6}, true}, nothing, {Hit{2 + 0x1p-50, 7}, true}});
