@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "core/formats/load.h"
-#include "core/integrators/path/lit_regions.h"
+#include "core/integrators/path/lit_regions_from.h"
 #include "core/medium/henyey_greenstein.h"
 #include "core/scene/transformed.h"
 #include "tests/catch.h"

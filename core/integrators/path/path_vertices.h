@@ -3,7 +3,7 @@
 
 #include "core/bsdf/bsdf_from.h"
 #include "core/diffusion/subsurface.h"
-#include "core/integrators/path/lit_regions.h"
+#include "core/integrators/path/lit_regions_from.h"
 #include "core/integrators/path/wave_points.h"
 #include "core/medium/henyey_greenstein.h"
 #include "core/medium/ray_segment.h"
