@@ -79,9 +79,13 @@ class Widener {
     /// Returns the children, the largest first, since occlusion queries take them in that order.
     Branches open(const Branch& source) const {
         Branches list = collapse_.children(source);
-        std::sort(list.begin(), list.end(), [](const Branch& a, const Branch& b) {
+        const auto is_larger = [](const Branch& a, const Branch& b) {
             return half_area(a.node->box) > half_area(b.node->box);
-        });
+        };
+        // Insertion: GCC 14 warns of the part of std::sort that is for longer lists.
+        for (Branch* next = list.begin(); next != list.end(); ++next) {
+            std::rotate(std::upper_bound(list.begin(), next, *next, is_larger), next, next + 1);
+        }
         return list;
     }
 
