@@ -85,9 +85,10 @@ std::string trace_lines(const WorstRay& worst) {
     const Ray& r = worst.ray;
     const std::string time = r.time() == 0 ? "" : fmt::format(" {:a}", r.time() * 0x1p-24);
     return fmt::format(
-        "# {} ray, {}: {}; the oracle: {}\n{:a} {:a} {:a} {:a} {:a} {:a} {:a} {:a}{}\n", worst.kind,
-        worst.wrong, worst.found, worst.oracle, r.origin.x, r.origin.y, r.origin.z, r.direction.x,
-        r.direction.y, r.direction.z, r.tmin, r.tmax, time);
+        "# {} ray, {}: {}; the oracle: {}\n{:a} {:a} {:a} {:a} {:a} {:a} {:a} {:a}{}{}\n",
+        worst.kind, worst.wrong, worst.found, worst.oracle, r.origin.x, r.origin.y, r.origin.z,
+        r.direction.x, r.direction.y, r.direction.z, r.tmin, r.tmax, time,
+        r.is_shadow() ? " shadow" : "");
 }
 
 }  // namespace etalon::crosscheck

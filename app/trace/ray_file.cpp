@@ -22,8 +22,13 @@ struct Fault {
     std::string_view what{};
 };
 
-/// Appends the numbers of a line to `numbers`, up to the first word that is not one.
-Fault parse_numbers(const std::string& line, std::vector<Number>& numbers) {
+struct Line {
+    std::vector<Number> numbers;
+    bool is_shadow = false;
+};
+
+/// Parses a line up to the first word that is wrong.
+Fault parse(const std::string& line, Line& parsed) {
     constexpr const char* blanks = " \t\r";
     const std::string text = line.substr(0, line.find('#'));
     const char* at = text.c_str();
@@ -32,8 +37,15 @@ Fault parse_numbers(const std::string& line, std::vector<Number>& numbers) {
         at += std::strspn(at, blanks);
         if (at == last) return {};
         const int column = static_cast<int>(at - text.c_str()) + 1;
+        if (parsed.is_shadow) return {column, "something after 'shadow'"};
+        if (std::string_view(at, std::strcspn(at, blanks)) == "shadow") {
+            parsed.is_shadow = true;
+            at += std::strlen("shadow");
+            continue;
+        }
         char* end = nullptr;
-        numbers.push_back({std::strtod(at, &end), column});  // decimal and hexadecimal floats
+        parsed.numbers.push_back(
+            {std::strtod(at, &end), column});  // decimal and hexadecimal floats
         const bool is_over = end == last || (*end != 0 && std::strchr(blanks, *end) != nullptr);
         if (end == at || !is_over) {
             return {column, "not a number"};
@@ -42,15 +54,17 @@ Fault parse_numbers(const std::string& line, std::vector<Number>& numbers) {
     }
 }
 
-/// Makes a ray from the numbers of a line that has some.
-Fault make_ray(const std::vector<Number>& n, Ray& ray) {
+/// Makes a ray from a line that has numbers.
+Fault make_ray(const Line& line, Ray& ray) {
+    const std::vector<Number>& n = line.numbers;
     if (n.size() != 6 && n.size() != 8 && n.size() != 9) {
-        return {n.front().column, "wrong count of numbers"};
+        return {n.empty() ? 1 : n.front().column, "wrong count of numbers"};
     }
     const auto vec = [&](std::size_t i) {
         return Vec3(n[i].value, n[i + 1].value, n[i + 2].value);
     };
     ray = Ray{vec(0), vec(3)};
+    if (line.is_shadow) ray.set_shadow();
     if (n.size() >= 8) ray.tmin = n[6].value, ray.tmax = n[7].value;
     if (n.size() < 9) return {};
     if (!(n[8].value >= 0 && n[8].value < 1)) return {n[8].column, "time outside of [0, 1)"};
@@ -65,15 +79,16 @@ Result<std::vector<Ray>> read_rays(const std::string& path) {
     if (!file.error.empty()) return {{}, fmt::format("{}: error: {}", path, file.error)};
     std::istringstream in{std::string(file.text())};
     std::vector<Ray> rays;
-    std::vector<Number> numbers;
+    Line parsed;
     int number = 0;
     for (std::string line; std::getline(in, line);) {
         ++number;
-        numbers.clear();
-        Fault fault = parse_numbers(line, numbers);
-        if (numbers.empty()) continue;
+        parsed.numbers.clear();
+        parsed.is_shadow = false;
+        Fault fault = parse(line, parsed);
+        if (parsed.numbers.empty() && !parsed.is_shadow) continue;
         Ray ray{Vec3(0), Vec3(0)};
-        if (fault.column == 0) fault = make_ray(numbers, ray);
+        if (fault.column == 0) fault = make_ray(parsed, ray);
         if (fault.column != 0) {
             return {{},
                     fmt::format("{}:{}:{}: error: {}; expected '{}'", path, number, fault.column,

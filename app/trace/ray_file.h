@@ -10,8 +10,9 @@
 
 namespace etalon {
 
-/// Numbers of a line. The time is a fraction of the shutter interval.
-inline constexpr std::string_view ray_format = "ox oy oz dx dy dz [tmin tmax [time]]";
+/// Numbers of a line. The time is a fraction of the shutter interval. A shadow ray ends with the
+/// word.
+inline constexpr std::string_view ray_format = "ox oy oz dx dy dz [tmin tmax [time]] [shadow]";
 
 /// Reads a file, or standard input if the path is "-": one ray per line of decimal or hexadecimal
 /// floats, with comments from `#` to the end of the line. The error is "FILE:LINE:COLUMN: error:

@@ -93,7 +93,7 @@ Action declare_trace(Options& options) {
         .value("FILE")
         .required();
     options.add_flag("--shadow", a->shadow,
-                     "The rays are shadow rays: they pass where a shadowalpha is 0, too");
+                     "All rays are shadow rays: they pass where a shadowalpha is 0, too");
     options
         .add("-o,--output", a->output,
              "File for the hits, one line per ray (default: standard output)")

@@ -155,6 +155,13 @@ TEST_CASE("The worst rays come gravest first, the furthest off among equals", "[
     CHECK(worst_rays(scene, {trial}, good, 9).at(0).wrong == "t off by 2 ulp");
 }
 
+TEST_CASE("The line of a shadow ray says that it is one", "[crosscheck]") {
+    WorstRay worst{"shadow", "hit not found", "hit", "miss", Ray{Vec3(0), Vec3(1)}};
+    CHECK_FALSE(trace_lines(worst).ends_with(" shadow\n"));
+    worst.ray.set_shadow();
+    CHECK(trace_lines(worst).ends_with(" shadow\n"));
+}
+
 TEST_CASE("A stop leaves the rays that the oracle, or the backends that have answered",
           "[crosscheck]") {
     const Folder f;

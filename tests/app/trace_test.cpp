@@ -29,6 +29,23 @@ TEST_CASE("trace answers ray by ray", "[app]") {
     }
 }
 
+TEST_CASE("A ray of a file passes where a shadowalpha is 0 if it is marked as a shadow ray",
+          "[app]") {
+    const Folder f;
+    f.write("triangle.pbrt",
+            "Camera \"perspective\" WorldBegin Shape \"trianglemesh\" \"point P\" "
+            "[-1 -1 0 1 -1 0 0 2 0] \"integer indices\" [0 1 2] \"float shadowalpha\" 0 WorldEnd");
+    f.write("rays.txt",
+            "0 0 5 0 0 -1\n"
+            "0 0 5 0 0 -1 shadow\n"
+            "0 0 5 0 0 -1 0 9 0.5\tshadow # to the light\n"
+            "0 0 5 0 0 -1 0 9\n");
+    const auto r = f.etalon("trace triangle.pbrt --rays rays.txt");
+    CHECK(r.out == "hit 5 triangle 0 0 0 1\nmiss\nmiss\nhit 5 triangle 0 0 0 1\n");
+    CHECK(f.etalon("trace triangle.pbrt --shadow --rays rays.txt").out ==
+          "miss\nmiss\nmiss\nmiss\n");
+}
+
 TEST_CASE("trace reports the position of an error in a file of rays", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
@@ -36,7 +53,10 @@ TEST_CASE("trace reports the position of an error in a file of rays", "[app]") {
         {"0 0 5 0 0\n", ":1:1: error: wrong count of numbers; expected 'ox oy oz"},
         {"\n0 0 5  0 1x 1\n", ":2:10: error: not a number; expected 'ox oy oz"},
         {"# rays\n\n 0 0 5 # no more\n", ":3:2: error: wrong count of numbers"},
-        {"0 0 5 0 0 1 0 1 1\n", ":1:17: error: time outside of [0, 1)"}};
+        {"0 0 5 0 0 1 0 1 1\n", ":1:17: error: time outside of [0, 1)"},
+        {"0 0 5 0 0 1 shadow 0\n", ":1:20: error: something after 'shadow'"},
+        {"shadow\n", ":1:1: error: wrong count of numbers"},
+        {"0 0 5 0 0 1 shadows\n", ":1:13: error: not a number"}};
     for (const auto& [rays, error] : wrong) {
         f.write("bad.txt", rays);
         const auto r = f.etalon("trace ball.p3f --rays bad.txt");
