@@ -113,3 +113,17 @@ TEST_CASE("Pixel bounds may have their least number last", "[pbrt]") {
     CHECK(window("2 6 1 5") == Imath::Box2i({2, 1}, {5, 4}));
     CHECK(window("6 2 5 1") == window("2 6 1 5"));
 }
+
+TEST_CASE("Paths of most vertices end at a surface without a material", "[pbrt]") {
+    const std::string bubble = sky + "Material \"none\" Shape \"sphere\"";
+    const auto seen = [&](const std::string& name, int most) {
+        return brightness(bubble,
+                          fmt::format("Integrator \"{}\" \"integer maxdepth\" {}", name, most));
+    };
+    for (const std::string name : {"path", "volpath"}) {
+        INFO(name);
+        CHECK(seen(name, 0) == 0);
+        CHECK_THAT(seen(name, 1), WithinRel(1, 1e-6));
+    }
+    CHECK_THAT(seen("directlighting", 0), WithinRel(1, 1e-6));
+}

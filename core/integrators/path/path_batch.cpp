@@ -81,7 +81,7 @@ void PathBatch<in_media>::shade(std::size_t ray, const VertexNumbers& numbers) {
         physical_surface(shared_.scene, wave_.rays[ray], wave_.hits[ray]);
     add_emitted(path, surface, direction);
     if (shared_.shading.has_null_material(surface)) {
-        pass(ray, surface);
+        if (may_pass(path)) pass(ray, surface);
         return;
     }
     if (!may_scatter(ray)) return;

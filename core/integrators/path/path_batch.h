@@ -45,6 +45,12 @@ class PathBatch {
                shared_.may_go_on(wave_.paths[ray]);
     }
 
+    /// Returns whether a path continues beyond a surface without a material. As in pbrt-v3 those of
+    /// most vertices end there, unless the ray only looks for the lights of its last vertex.
+    bool may_pass(const PathState& path) const {
+        return path.depth < shared_.most_vertices || !path.specular || shared_.direct_only;
+    }
+
     void make_points();
     void shade_all(bool from_camera);
     void shade(std::size_t ray, const VertexNumbers& numbers);
