@@ -1,5 +1,7 @@
 #include "core/bsdf/bsdf_from.h"
 
+#include <algorithm>
+
 namespace etalon {
 namespace {
 
@@ -94,6 +96,22 @@ float BsdfFrom::turned_density(const Vec3f& wi, LobeKind side) const {
     return sum;
 }
 
+/// Returns whether any lobe samples a local direction by the shading normal alone, as all lobes of
+/// pbrt-v3 do. Between the horizons these are lobes of the other side.
+bool BsdfFrom::is_sampled_unturned(const Vec3f& wi) const {
+    const LobeKind by_shading = wo_.z * wi.z > 0 ? LobeKind::reflection : LobeKind::transmission;
+    const auto samples = [&](const auto& lobe) {
+        using L = std::decay_t<decltype(lobe)>;
+        if constexpr (is_specular(L::kind)) {
+            return false;
+        } else {
+            return scatters_to(by_shading, L::kind) && lobe.evaluate(wo_, wi).pdf > 0;
+        }
+    };
+    return std::ranges::any_of(lobes_.span(),
+                               [&](const Lobe& lobe) { return visit_lobe(samples, lobe); });
+}
+
 Evaluation BsdfFrom::evaluate(const Vec3& wi) const {
     if (wo_.z == 0 || lobes_.size() == 0) return {};
     return evaluate_local(Vec3f(frame_.to_local(wi)), side(wi));
@@ -112,7 +130,8 @@ std::optional<BsdfSample> BsdfFrom::sample_smooth(Vec3f local_wi,
     const Evaluation e = evaluate_local(local_wi, where);
     if (!(e.pdf > 0) || is_black(e.f)) return {};
     const bool transmission = where == LobeKind::transmission;
-    return BsdfSample{wi, e.f, e.pdf, false, transmission, turned, 1};
+    const bool only_lights = turned && !is_sampled_unturned(local_wi);
+    return BsdfSample{wi, e.f, e.pdf, false, transmission, only_lights, 1};
 }
 
 std::optional<BsdfSample> BsdfFrom::sample_specular(

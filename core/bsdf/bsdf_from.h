@@ -15,7 +15,7 @@ struct BsdfSample {
     float pdf;          ///< per solid angle; for a specular lobe the probability of the choice
     bool specular;      ///< only this direction has a part in it, and `evaluate` ignores it
     bool transmission;  ///< through the surface
-    bool turned;        ///< between the horizons of the geometric and the shading normal
+    bool only_lights;   ///< pbrt-v3 samples lights in this direction, but no paths go there
     float eta;  ///< index on the side of `wi` over that on the side of `wo`; 1 for a reflection
 };
 
@@ -47,6 +47,7 @@ class BsdfFrom {
     LobeKind side(const Vec3& wi) const;
     Evaluation evaluate_local(const Vec3f& wi, LobeKind side) const;
     float turned_density(const Vec3f& wi, LobeKind side) const;
+    bool is_sampled_unturned(const Vec3f& wi) const;
     std::optional<BsdfSample> sample_smooth(Vec3f local_wi, std::optional<LobeKind> own_side) const;
     std::optional<BsdfSample> sample_specular(float pick,
                                               const std::optional<SpecularSample>& chosen) const;

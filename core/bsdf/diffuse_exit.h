@@ -24,9 +24,10 @@ struct DiffuseExit {
         if (mean > 0) factor = Color(index * index * inverse_pi / mean);
     }
 
-    Evaluation evaluate(const Vec3f&, const Vec3f& wi) const {
-        const float cos = std::abs(wi.z);
-        return {factor * (1 - dielectric_reflectance(cos, index)), cos * inverse_pi};
+    /// Directions beyond the shading horizon are those of light from below, as in pbrt-v3.
+    Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const {
+        const float cos = wo.z > 0 ? wi.z : -wi.z;
+        return {factor * (1 - dielectric_reflectance(cos, index)), std::abs(cos) * inverse_pi};
     }
     std::optional<Vec3f> sample(const Vec3f& wo, const Vec2& uv) const {
         return cosine_direction(wo, uv);

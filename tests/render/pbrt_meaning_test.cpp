@@ -127,3 +127,22 @@ TEST_CASE("Paths of most vertices end at a surface without a material", "[pbrt]"
     }
     CHECK_THAT(seen("directlighting", 0), WithinRel(1, 1e-6));
 }
+
+TEST_CASE("Scattering by the two normals of a mesh is that of pbrt-v3", "[pbrt]") {
+    const std::string options =
+        "Camera \"perspective\" \"float fov\" 30 PixelFilter \"box\"\n"
+        "Sampler \"sobol\" \"integer pixelsamples\" 1024\n";
+    const std::string octahedron =
+        "Shape \"trianglemesh\" \"integer indices\"\n"
+        "[0 2 4 2 1 4 1 3 4 3 0 4 2 0 5 1 2 5 3 1 5 0 3 5] \"point P\"\n"
+        "[1 0 0 -1 0 0 0 1 0 0 -1 0 0 0 1 0 0 -1] \"normal N\"\n"
+        "[1 0 0 -1 0 0 0 1 0 0 -1 0 0 0 1 0 0 -1]\n";
+    const std::string leaf =
+        "LightSource \"point\" \"color I\" [12 12 12] \"point from\" [1 3 -1.5]\n"
+        "Material \"translucent\" \"color Kd\" [1 1 1] \"color Ks\" [0 0 0]\n";
+    const std::string wax =
+        sky + "Material \"subsurface\" \"color sigma_a\" [.3 .3 .3] \"color sigma_s\" [8 8 8]\n";
+    // The means of pbrt-v3's images.
+    CHECK_THAT(brightness(leaf + octahedron, options), WithinRel(0.0250, 0.01));
+    CHECK_THAT(brightness(wax + octahedron, options), WithinRel(0.8938, 2e-3));
+}

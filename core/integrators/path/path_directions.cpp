@@ -77,8 +77,7 @@ void PathBatch<in_media>::scatter(const PathState& path, const Vertex& at, std::
     next.density = at.expected_paths() * s->pdf;
     next.specular = s->specular;
     next.is_unlit = false;
-    // Like pbrt-v3, uses only sampled lights for directions between the horizons.
-    next.last_ray = s->turned || (shared_.direct_only && !s->specular);
+    next.last_ray = s->only_lights || (shared_.direct_only && !s->specular);
     next.roulette_scale *= s->eta * s->eta * favour;
     ++next.depth;
     next.name = ray_name(path.name, false);

@@ -46,7 +46,7 @@ struct SurfaceVertex : PathVertex {
         return scattering.sample(choice, uv);
     }
     /// Returns whether the direction is on the side from which the path came by both normals:
-    /// BsdfSample::turned is false for such directions.
+    /// BsdfSample::only_lights is false for such directions.
     bool reflects(const Vec3& wi) const { return scattering.reflects(wi); }
     float cosine(const Vec3& wi) const { return static_cast<float>(std::abs(frame.ns.dot(wi))); }
     Ray ray(const Vec3& wi) const { return spawn_ray(surface.point, wi); }
