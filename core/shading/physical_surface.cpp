@@ -16,8 +16,16 @@ PhysicalSurface physical_surface(const Scene& scene, const Ray& ray, const Hit& 
 
 namespace {
 
-/// Replaces the coordinates (0, 0), (1, 0), (1, 1) of a triangle's corners by those of the mesh. If
-/// the mesh's coordinates are degenerate, the triangle keeps its own tangents.
+/// Sets the tangents of a triangle whose coordinates are degenerate to those of pbrt-v3, which the
+/// reflections of anisotropic materials show.
+void set_tangents(const Vec3& edge1, const Vec3& edge2, Parametrization& at) {
+    const auto scaled = [](const Vec3& v) { return v * power_of_two_reciprocal(max_abs(v)); };
+    const Vec3 n = normalized(scaled(edge2).cross(scaled(edge1)));
+    at.dpdu = normalized(std::abs(n.x) > std::abs(n.y) ? Vec3(-n.z, 0, n.x) : Vec3(0, n.z, -n.y));
+    at.dpdv = n.cross(at.dpdu);
+}
+
+/// Replaces the coordinates (0, 0), (1, 0), (1, 1) of a triangle's corners by those of the mesh.
 Parametrization with_coordinates(const std::array<std::array<float, 2>, 3>& corners,
                                  const Parametrization& own) {
     const auto at = [&](std::size_t k) { return Vec2(corners[k][0], corners[k][1]); };
@@ -27,7 +35,10 @@ Parametrization with_coordinates(const std::array<std::array<float, 2>, 3>& corn
     const Vec3 edge1 = own.dpdu, edge2 = own.dpdu + own.dpdv;
     Parametrization result{at(0) + first * to1 + second * to2, own.dpdu, own.dpdv};
     const double determinant = to1.x * to2.y - to1.y * to2.x;
-    if (!(std::abs(determinant) >= 1e-8)) return result;  // pbrt-v3's limit
+    if (!(std::abs(determinant) >= 1e-8)) {  // pbrt-v3's limit
+        set_tangents(edge1, edge2, result);
+        return result;
+    }
     result.dpdu = (to2.y * edge1 - to1.y * edge2) / determinant;
     result.dpdv = (to1.x * edge2 - to2.x * edge1) / determinant;
     return result;

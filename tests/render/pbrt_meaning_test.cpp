@@ -146,3 +146,14 @@ TEST_CASE("Scattering by the two normals of a mesh is that of pbrt-v3", "[pbrt]"
     CHECK_THAT(brightness(leaf + octahedron, options), WithinRel(0.0250, 0.01));
     CHECK_THAT(brightness(wax + octahedron, options), WithinRel(0.8938, 2e-3));
 }
+
+TEST_CASE("Anisotropic reflections of a mesh whose coordinates are all the same are pbrt-v3's",
+          "[pbrt]") {
+    const std::string mesh =
+        "LightSource \"point\" \"color I\" [9 9 9] \"point from\" [2 1 -3]\n"
+        "Material \"substrate\" \"color Kd\" [0 0 0] \"float uroughness\" .1 \"float vroughness\" "
+        ".6\n"
+        "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"float uv\" [0 0 0 0 0 0 0 0]\n"
+        "\"point P\" [-1 -1 -.2 1 -1 .1 1 1 .3 -1 1 0]\n";
+    CHECK_THAT(brightness(mesh, "PixelFilter \"box\""), WithinRel(0.036768, 1e-4));
+}
