@@ -13,7 +13,8 @@ struct Classification {
     bool differs = false;          ///< see Answer
     double t_ulp = 0;  ///< error of t in ulp of double, if there is a hit and one was found
 
-    bool right() const { return !wrong_class && !wrong_primitive && !wrong_occlusion && !differs; }
+    /// Returns whether the oracle agrees, or cannot decide.
+    bool right() const { return !wrong_class && !wrong_primitive && !wrong_occlusion; }
 };
 
 Classification classify(const OracleAnswer& truth, const Answer& answer);

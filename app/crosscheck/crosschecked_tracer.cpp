@@ -1,9 +1,8 @@
 #include "app/crosscheck/crosschecked_tracer.h"
 
-#include <bit>
-
 #include "app/common/backends.h"
 #include "app/common/stopwatch.h"
+#include "core/numerics/same_bits.h"
 
 namespace etalon::crosscheck {
 namespace {
@@ -27,10 +26,6 @@ std::optional<Answers> trace(const Intersector& intersector, const std::vector<R
         answers.all[i].occluded = intersector.occluded(rays[i]);
     }
     return answers;
-}
-
-bool same_bits(double a, double b) {
-    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
 bool same(const Answer& a, const Answer& b) {

@@ -63,7 +63,8 @@ std::string what_is_wrong(const Classification& v, const Answer& answer) {
 
 std::vector<WorstRay> worst_rays(const Scene& scene, const std::vector<Trial>& trials,
                                  const CrosscheckedTracer& tracer, std::size_t limit) {
-    auto found = cases(trials, tracer, [](const Classification& v) { return !v.right(); });
+    auto found =
+        cases(trials, tracer, [](const Classification& v) { return !v.right() || v.differs; });
     if (found.empty()) {
         found = cases(trials, tracer, [](const Classification& v) { return v.t_ulp > 0; });
     }

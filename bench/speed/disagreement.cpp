@@ -1,17 +1,14 @@
 #include "bench/speed/disagreement.h"
 
 #include <algorithm>
-#include <bit>
+
+#include "core/numerics/same_bits.h"
 
 namespace etalon::speed {
 namespace {
 
 bool is_hit(const Answer& a) {
     return a.primitive != no_index;
-}
-
-bool has_same_bits(double a, double b) {
-    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
 HitKey key_of(const Answer& a) {
@@ -37,7 +34,7 @@ Disagreement compare(std::span<const Answer> answers, std::span<const Answer> re
             if (key_of(a) != key_of(b)) {
                 ++d.primitive;
             } else {
-                d.distance += !has_same_bits(a.t, b.t);
+                d.distance += !same_bits(a.t, b.t);
             }
         }
     }

@@ -80,6 +80,7 @@ TEST_CASE("An exact backend's answers must be those of the others, decidable or 
     CHECK_FALSE(t.clean());
     CHECK(t.class_errors + t.primitive_errors + t.occlusion_errors == 0);
     CHECK(worst_rays(eight_balls(), {trial}, b, 9).size() == 2);
+    CHECK(contingency({trial}, a, b).both_right == 2);  // for the oracle both are
 
     CrosscheckedTracer zero = tracer("zero", {{Hit{0.0, 7}, true}}), negative = zero;
     negative.answers[0].all[0].closest->t = -0.0;
