@@ -4,8 +4,8 @@
 
 namespace etalon {
 
-/// Largest number of lobes of the BSDF of a material of this kind; for a mix, beside
-/// those of its parts.
+/// Largest number of lobes of the BSDF of a material of this kind; for a mix, beside those of its
+/// parts.
 template <class Kind>
 inline constexpr std::size_t most_lobes = 1;
 template <>

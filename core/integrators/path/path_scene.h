@@ -44,10 +44,13 @@ struct PathScene {
         return !path.last_ray && path.depth < most_vertices;
     }
 
-    /// Returns the number of paths into which a path is split at a smooth lobe. They share the
-    /// camera ray and the light sampled there, which are less noisy than what follows.
+    /// Number of paths into which a path is split at its first vertex with a smooth lobe. They
+    /// share the camera ray and the light sampled there, which are less noisy than what follows.
+    static constexpr std::uint32_t split_factor = 2;
+
+    /// Returns the number of paths into which a path is split at a smooth lobe.
     std::uint32_t split_count(const PathState& path) const {
-        return path.is_split || samples_all ? 1 : 2;
+        return path.is_split || samples_all ? 1 : split_factor;
     }
 
     const Scene& scene;
