@@ -12,7 +12,7 @@ enum class Severity : std::uint8_t { warning, error };
 
 struct Diagnostic {
     Severity severity;
-    std::string kind;  ///< short stable tag; messages of one kind are counted together
+    std::string kind;  ///< short stable tag; those of one kind and severity are counted together
     std::string file;
     int line;              ///< from 1; 0 if the message is about the file as a whole
     int column;            ///< number from 1, in bytes

@@ -7,9 +7,9 @@ namespace etalon {
 
 Diagnostic* DiagnosticList::admit(Severity severity, std::string_view kind) {
     has_errors_ |= severity == Severity::error;
-    const auto same = [&](const Kind& k) { return k.name == kind; };
+    const auto same = [&](const Kind& k) { return k.is(severity, kind); };
     auto found = std::find_if(kinds_.begin(), kinds_.end(), same);
-    if (found == kinds_.end()) found = kinds_.insert(found, Kind{kind, 0, 0});
+    if (found == kinds_.end()) found = kinds_.insert(found, Kind{severity, kind, 0, 0});
     if (found->kept == diagnostics_of_a_kind) {
         ++diagnostics_[found->last].more;
         return nullptr;
@@ -20,9 +20,10 @@ Diagnostic* DiagnosticList::admit(Severity severity, std::string_view kind) {
     return &diagnostics_.back();
 }
 
-bool DiagnosticList::is_full(std::string_view kind) const {
-    const auto found = std::ranges::find(kinds_, kind, &Kind::name);
-    return found != kinds_.end() && found->kept == diagnostics_of_a_kind;
+bool DiagnosticList::is_full(Severity severity, std::string_view kind) const {
+    return std::ranges::any_of(kinds_, [&](const Kind& k) {
+        return k.is(severity, kind) && k.kept == diagnostics_of_a_kind;
+    });
 }
 
 void DiagnosticList::append(DiagnosticList& other) {

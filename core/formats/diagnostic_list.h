@@ -8,16 +8,17 @@
 
 namespace etalon {
 
-/// Diagnostics in the order in which they were found. Those beyond the limit of a kind are only
-/// counted, so that a million of them cost neither time nor memory.
+/// Diagnostics in the order in which they were found. Those beyond the limit of a kind and
+/// severity are only counted, so that a million of them cost neither time nor memory, and that
+/// warnings hide no error.
 class DiagnosticList {
   public:
     /// Returns a new diagnostic without place and message, or null if there are enough of the
-    /// kind. It is valid until the next call.
+    /// kind and severity. It is valid until the next call.
     Diagnostic* admit(Severity severity, std::string_view kind);
 
-    /// Returns whether further ones of the kind are only counted.
-    bool is_full(std::string_view kind) const;
+    /// Returns whether further ones of the kind and severity are only counted.
+    bool is_full(Severity severity, std::string_view kind) const;
 
     /// Appends another list, leaving it empty.
     void append(DiagnosticList& other);
@@ -27,6 +28,9 @@ class DiagnosticList {
 
   private:
     struct Kind {
+        bool is(Severity s, std::string_view kind) const { return severity == s && name == kind; }
+
+        Severity severity;
         std::string_view name;
         int kept;
         std::size_t last;  ///< last of those kept

@@ -65,6 +65,15 @@ TEST_CASE("a report counts what a log did not keep") {
     CHECK(report(kept).ends_with("f:20:1: warning: m19\nf: warning: 980 more of this kind (k)\n"));
 }
 
+TEST_CASE("no number of warnings hides an error of the same kind") {
+    DiagnosticLog log("f", "", false);
+    for (int i = 0; i < 22; ++i) log.warn(DiagnosticLog::whole_file, "k", "m{}", i);
+    log.error(DiagnosticLog::whole_file, "k", "the error");
+    CHECK(report(log.take())
+              .ends_with(
+                  "f: warning: m19\nf: error: the error\nf: warning: 2 more of this kind (k)\n"));
+}
+
 TEST_CASE("a strict log makes errors of warnings") {
     DiagnosticLog tolerant("f", "abc", false), strict("f", "abc", true);
     tolerant.warn(0, "k", "m");

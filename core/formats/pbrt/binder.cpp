@@ -105,9 +105,10 @@ std::optional<Values> Binder::texture(const ParameterSpec& spec, GivenParameter&
     const auto& names = of_spectra ? textures_.spectra : textures_.numbers;
     const std::string& name = std::get<std::vector<std::string>>(given.values).front();
     if (const std::uint32_t* number = names.find(name)) return TextureNumber{*number};
-    log_.error(given.where, "undefined", "no {} texture {} is defined for '{}'{}",
-               of_spectra ? "spectrum" : "float", in_quotes(name), given.name,
-               log_.hint("undefined", [&] { return did_you_mean(name, names.names()); }));
+    log_.error(
+        given.where, "undefined", "no {} texture {} is defined for '{}'{}",
+        of_spectra ? "spectrum" : "float", in_quotes(name), given.name,
+        log_.hint(Severity::error, "undefined", [&] { return did_you_mean(name, names.names()); }));
     return std::nullopt;
 }
 

@@ -39,11 +39,11 @@ class Log {
         error(loc, kind, text, std::forward<T>(values)...);
     }
 
-    /// Returns the text that `make` makes, which may be expensive, if a message of the kind would
-    /// be shown; else an empty one.
+    /// Returns the text that `make` makes, which may be expensive, if a message of the kind and
+    /// severity would be shown; else an empty one.
     template <class Make>
-    std::string hint(std::string_view kind, Make make) const {
-        return list_.is_full(kind) ? std::string() : make();
+    std::string hint(Severity severity, std::string_view kind, Make make) const {
+        return list_.is_full(strict_ ? Severity::error : severity, kind) ? std::string() : make();
     }
 
     /// Appends the diagnostics about a file that is not PBRT.

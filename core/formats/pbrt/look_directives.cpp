@@ -55,7 +55,7 @@ void use_named_material(Parser& p) {
         return;
     }
     p.log.error(p.in.where(), "undefined", "no material {} is defined; the current one stays{}",
-                in_quotes(name), p.log.hint("undefined", [&] {
+                in_quotes(name), p.log.hint(Severity::error, "undefined", [&] {
                     return did_you_mean(name, p.now.materials.names());
                 }));
 }

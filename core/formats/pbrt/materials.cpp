@@ -21,7 +21,7 @@ std::uint32_t named_material(Parser& p, const std::string& name,
                              std::span<ParameterList* const> lists, FileLoc where) {
     if (const auto* found = p.now.materials.find(name)) return (*found)->number;
     p.log.error(where, "undefined", "no material {} is defined; 'matte' stands in for it{}",
-                in_quotes(name), p.log.hint("undefined", [&] {
+                in_quotes(name), p.log.hint(Severity::error, "undefined", [&] {
                     return did_you_mean(name, p.now.materials.names());
                 }));
     return p.add_material(plugin_types(Category::material).front(), lists, where);

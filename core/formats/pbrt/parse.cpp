@@ -65,9 +65,9 @@ void reject(Parser& p, const Token& token) {
         p.log.fatal(loc, "version", "{} is of {}; Etalon reads version 3", in_quotes(token.text),
                     origin);
     } else {
-        p.log.fatal(
-            loc, "syntax", "expected a directive, found {}{}", describe(token),
-            p.log.hint("syntax", [&] { return did_you_mean(token.text, directive_words()); }));
+        p.log.fatal(loc, "syntax", "expected a directive, found {}{}", describe(token),
+                    p.log.hint(Severity::error, "syntax",
+                               [&] { return did_you_mean(token.text, directive_words()); }));
     }
 }
 

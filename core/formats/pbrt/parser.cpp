@@ -30,9 +30,12 @@ std::string explain(Category category, const std::string& name) {
 
 const PluginType* Parser::find_type(Category category, const std::string& name, Unknown unknown) {
     if (const PluginType* type = find_plugin(category, name)) return type;
-    const std::string text = fmt::format(
-        "unknown {} {}{}; {}", to_string(category), in_quotes(name),
-        log.hint("unknown", [&] { return explain(category, name); }), unknown.consequence);
+    const auto severity =
+        unknown.grade == Unknown::Grade::warning ? Severity::warning : Severity::error;
+    const std::string text =
+        fmt::format("unknown {} {}{}; {}", to_string(category), in_quotes(name),
+                    log.hint(severity, "unknown", [&] { return explain(category, name); }),
+                    unknown.consequence);
     if (unknown.grade == Unknown::Grade::warning) log.warn(in.where(), "unknown", "{}", text);
     if (unknown.grade == Unknown::Grade::error) log.error(in.where(), "unknown", "{}", text);
     if (unknown.grade == Unknown::Grade::fatal) log.fatal(in.where(), "unknown", "{}", text);

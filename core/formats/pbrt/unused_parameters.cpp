@@ -42,7 +42,8 @@ void report_unused(const ParameterList& list, const PluginType& type, Log& log) 
         } else {
             log.warn(given.where, "unused", "{} is not used: the {} '{}' has no such parameter{}",
                      in_quotes(given.name), to_string(type.category), type.name,
-                     log.hint("unused", [&] { return did_you_mean(given.name, names(type)); }));
+                     log.hint(Severity::warning, "unused",
+                              [&] { return did_you_mean(given.name, names(type)); }));
         }
     }
 }

@@ -98,6 +98,17 @@ TEST_CASE("an unknown pixel filter") {
     CHECK(file.is_fatal);
 }
 
+TEST_CASE("a fatal error is told after any number of warnings of its kind") {
+    std::string text;
+    for (int i = 0; i < 21; ++i) text += "Accelerator \"octree\" ";
+    const ParsedFile file = parse_text(text + "PixelFilter \"lanczos\" WorldBegin WorldEnd");
+    CHECK(file.is_fatal);
+    REQUIRE(file.diagnostics.size() == 21);
+    CHECK(to_string(file.diagnostics.back()) ==
+          "a.pbrt:1:442: error: unknown filter 'lanczos'; there are: box gaussian mitchell sinc "
+          "triangle; 'box' stands in for it");
+}
+
 TEST_CASE("a file that ends in a statement") {
     for (const char* text : {"WorldBegin Shape", "WorldBegin Translate 1 2",
                              "WorldBegin Shape \"sphere\" \"float radius\"",
