@@ -1,6 +1,7 @@
 #include "core/formats/detect_format.h"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 
 #include "core/formats/pbrt/parse.h"
@@ -17,6 +18,10 @@ struct Signature {
     std::string_view word;
     int numbers = -1;
 };
+
+/// Keywords after which a name or a path follows, which may be the keyword of another format.
+constexpr std::array<std::string_view, 5> before_names = {"instance", "instance_of", "env",
+                                                          "object_flat", "object_phong"};
 
 bool shows(const FormatProbe& probe, std::initializer_list<Signature> signatures) {
     return std::ranges::any_of(probe.statements, [&](const Statement& s) {
@@ -35,13 +40,26 @@ bool shows_in_turn(const FormatProbe& probe, std::string_view first, std::string
                               }) != list.end();
 }
 
+bool is_pbrt_of_any_version(const FormatProbe& probe) {
+    return std::ranges::any_of(probe.statements, pbrt::is_directive, &Statement::word);
+}
+
+/// Matches words that have no meaning in version 3. `"spectrum"` textures and `"point3"` parameters
+/// are more frequent in version 4, but legal in version 3.
+bool shows_version_4(const FormatProbe& probe) {
+    return shows(probe, {{"ColorSpace"}, {"Option"}, {"Attribute"}}) ||
+           shows_in_turn(probe, "Film", "\"rgb\"") || shows_in_turn(probe, "Sampler", "\"zsobol\"");
+}
+
 }  // namespace
 
 FormatProbe::FormatProbe(std::string_view whole) : text(whole.substr(0, bytes_read)) {
     Tokenizer tokens(text);
     while (!tokens.at_end() && statements.size() < statements_read) {
         if (!tokens.at_number() || statements.empty()) {
-            statements.push_back({tokens.next(), 0});
+            statements.push_back({tokens.next_with_string(), 0});
+            const bool is_named = std::ranges::count(before_names, statements.back().word) > 0;
+            if (is_named) tokens.next_with_string();
         } else {
             tokens.next();
             ++statements.back().numbers;
@@ -63,8 +81,9 @@ bool is_p3f(const FormatProbe& probe) {
                          {"env", 0}});
 }
 
+/// Matches what NFF shares with its descendant P3F, in texts that show nothing of P3F alone.
 bool is_nff(const FormatProbe& probe) {
-    return shows(probe, {{"b", 3}, {"f", 8}, {"l", 3}});
+    return shows(probe, {{"b", 3}, {"f", 8}, {"l", 3}}) && !is_p3f(probe);
 }
 
 bool is_prt(const FormatProbe& probe) {
@@ -98,16 +117,12 @@ bool is_sce(const FormatProbe& probe) {
                          {"arealight", 4}});
 }
 
-/// Matches words that have no meaning in version 3. `"spectrum"` textures and `"point3"` parameters
-/// are more frequent in version 4, but legal in version 3.
 bool is_pbrt_v4(const FormatProbe& probe) {
-    return is_pbrt(probe) && (shows(probe, {{"ColorSpace"}, {"Option"}, {"Attribute"}}) ||
-                              shows_in_turn(probe, "Film", "\"rgb\"") ||
-                              shows_in_turn(probe, "Sampler", "\"zsobol\""));
+    return is_pbrt_of_any_version(probe) && shows_version_4(probe);
 }
 
 bool is_pbrt(const FormatProbe& probe) {
-    return std::ranges::any_of(probe.statements, pbrt::is_directive, &Statement::word);
+    return is_pbrt_of_any_version(probe) && !shows_version_4(probe);
 }
 
 bool is_obj(const FormatProbe& probe) {

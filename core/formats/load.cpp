@@ -32,8 +32,9 @@ struct Format {
     bool has_legacy = false;
 };
 
-// CONTRIBUTING.md lists the steps to add a format. The first line that detects a text wins: formats
-// with clear signs come before those with which others could be confused.
+// CONTRIBUTING.md lists the steps to add a format. Of the lines that detect a text, the first
+// wins, unless the extension names another: formats with clear signs come before those with which
+// others could be confused.
 constexpr std::array formats = {
     Format{"sce", "an SCE scene", is_sce, load_sce, true},
     Format{"pbrt-v4", "a PBRT scene of version 4", is_pbrt_v4, nullptr},
@@ -64,14 +65,17 @@ const Format* find(std::string_view name) {
     return f != formats.end() ? &*f : nullptr;
 }
 
-/// Finds the format by the text, else by the extension of the path; null if neither tells.
+/// Finds the format by the text, and by the extension of the path where the text shows several
+/// formats or none; null if neither tells.
 const Format* detect_format(std::string_view text, const std::string& path) {
     const FormatProbe probe(text);
-    for (const Format& f : formats) {
-        if (f.matches(probe)) return &f;
-    }
     const std::string extension = std::filesystem::path(path).extension().string();
-    return extension.empty() ? nullptr : find(std::string_view(extension).substr(1));
+    const Format* const named =
+        extension.empty() ? nullptr : find(std::string_view(extension).substr(1));
+    if (named && named->matches(probe)) return named;
+    const auto shown =
+        std::ranges::find_if(formats, [&](const Format& f) { return f.matches(probe); });
+    return shown != formats.end() ? &*shown : named;
 }
 
 template <class... T>

@@ -35,6 +35,19 @@ std::string_view Tokenizer::next() {
     return word;
 }
 
+std::string_view Tokenizer::next_with_string() {
+    const std::string_view word = peek();
+    const std::size_t open = word.find('"');
+    if (open == word.npos) return next();
+    const char* const inside = word.data() + open + 1;
+    const char* const line_end = end_of_line(inside, last_);
+    const char* const close = std::find(inside, line_end, '"');
+    if (close == line_end) return next();
+    const char* const start = cursor_;
+    move_to(close + 1);
+    return {start, close + 1};
+}
+
 Tokenizer Tokenizer::take_line() {
     Tokenizer line = *this;
     line.last_ = end_of_line(cursor_, last_);

@@ -24,6 +24,9 @@ class Tokenizer {
     std::string_view peek() const;
     std::string_view next();
 
+    /// Returns the next word, or all words up to the quote that closes a string which starts in it.
+    std::string_view next_with_string();
+
     /// Takes the rest of the line that the next word is on, and moves past it: for formats where
     /// the line ends a statement.
     Tokenizer take_line();

@@ -140,6 +140,34 @@ TEST_CASE("SCE is recognised by any of its statements that make an image") {
     CHECK(format_of(background + "resolution 4 4\nlight 0 0 0\n", "f", {}) == "prt");
 }
 
+TEST_CASE("a name in a scene that is a keyword of another format does not tell the format") {
+    const std::string pbrt =
+        "WorldBegin\nMakeNamedMaterial \"a cylinder #1\" \"string type\" "
+        "\"matte\"\nShape \"plymesh\" \"string filename\" [\"an Option "
+        "spp.ply\"]\nWorldEnd\n";
+    const std::string prt = "instance cylinder\nsphere 0 0 0 1\nend_instance\ninstance_of camera\n";
+    const std::string p3f = good_camera + "env object_flat\n";
+    const std::string sce = "object_flat camera\nobject_phong punctual\n";
+    for (const std::string name : {"f", "f.sce", "f.pbrt", "f.p3f", "f.prt"}) {
+        CAPTURE(name);
+        CHECK(format_of(pbrt, name, {}) == "pbrt");
+        CHECK(format_of(prt, name, {}) == "prt");
+        CHECK(format_of(p3f, name, {}) == "p3f");
+        CHECK(format_of(sce, name, {}) == "sce");
+    }
+}
+
+TEST_CASE("the extension tells which of several formats that a text shows is meant") {
+    const std::string text = "background 1 1 1\ncylinder\nspp 4\n";
+    CHECK(format_of(text, "f", {}) == "sce");
+    CHECK(format_of(text, "f.prt", {}) == "prt");
+    CHECK(format_of(text, "f.p3f", {}) == "p3f");
+    CHECK(format_of(text, "f.nff", {}) == "sce");
+    CHECK(foreign("o cylinder\nv 0 0 0\n", "f.obj") ==
+          "f.obj: error: this looks like a Wavefront OBJ mesh" + reads);
+    CHECK(format_of("l 1 2 3\nbclr 1 1 1\n", "f.nff", {}) == "p3f");
+}
+
 TEST_CASE("names of version 4 tell a PBRT scene's version only in their place") {
     const auto format = [](const std::string& options) {
         return format_of(options + "\nWorldBegin\nWorldEnd\n", "f", {});

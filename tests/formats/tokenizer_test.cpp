@@ -32,6 +32,14 @@ TEST_CASE("a comment runs from # to the end of the line, wherever it starts") {
     CHECK(words("#one\rs 1 # two\r##three\r#\r2#four\r3 #") == Words{"s", "1", "2", "3"});
 }
 
+TEST_CASE("a string can be taken as one word, up to the quote that closes it on its line") {
+    Tokenizer t("a \"b # c\"d [\"e f\"] \"\" \"g h\n i\"");
+    for (const char* word : {"a", "\"b # c\"", "d", "[\"e f\"", "]", "\"\"", "\"g", "h", "i\""}) {
+        CHECK(t.next_with_string() == word);
+    }
+    CHECK(t.at_end());
+}
+
 TEST_CASE("a line can be taken by itself") {
     Tokenizer t("\n# none\n a 1 # 2\r\n\nb\nc 4 5");
     Tokenizer line = t.take_line();
