@@ -246,15 +246,42 @@ TEST_CASE("a box without extent along an axis becomes one face") {
     }
 }
 
+namespace {
+
+Strings names_of(const std::vector<ConversionWarning>& lost) {
+    Strings list;
+    for (const ConversionWarning& warning : lost) list.push_back(warning.what);
+    return list;
+}
+
+}  // namespace
+
+TEST_CASE("what is small and far from the origin keeps its shape and is listed") {
+    const Vec3 far(4'500'000, 500'000, 0);
+    const LoadResult before = load_objects(
+        "l 4500000.3 500000.1 2\np 3 4500000.1 500000 0 4500000.2 500000 0 4500000.1 500000.1 0\n");
+    const WrittenScene written = write_pbrt(*before.scene, before.settings, "");
+    CHECK(names_of(written.lost) == Strings{"light that does not fall off, now one that does",
+                                            "light too far from the origin for pbrt-v3's floats",
+                                            "mesh too far from the origin for pbrt-v3's floats"});
+    const LoadResult after = load_scene_text(written.text, "far.pbrt", {});
+    CHECK(messages(after).empty());
+    const Geometry& mesh = after.scene->geometry;
+    REQUIRE(mesh.primitives.size() == 1);
+    const std::array corners = {Vec3(.1, 0, 0), Vec3(.2, 0, 0), Vec3(.1, .1, 0)};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const Vec3 corner = mesh.vertex(mesh.get<Triangle>(mesh.primitives[0]).vertices[i]);
+        CHECK(max_abs(corner - far - corners[i]) < 1e-7);
+    }
+    const auto& light = std::get<PointSource>(after.scene->physical().lights.at(0));
+    CHECK(max_abs(light.position - far - Vec3(.3, .1, 2)) < 1e-7);
+}
+
 TEST_CASE("a polygon that PBRT shows otherwise is listed") {
     const auto lost = [](const std::string& polygon) {
         const LoadResult r = load_objects(polygon + "\n");
         REQUIRE(r.scene);
-        Strings list;
-        for (const ConversionWarning& warning : write_pbrt(*r.scene, r.settings, "").lost) {
-            list.push_back(warning.what);
-        }
-        return list;
+        return names_of(write_pbrt(*r.scene, r.settings, "").lost);
     };
     CHECK(lost("p 5 .1 .1 .7 .3 .1 .7 .3 .3 .7 .2 .2 .7 .1 .3 .7").empty());
     CHECK(lost("p 4 0 0 0 .1 0 .1 .1 .1 .2 0 .1 .1").empty());
@@ -293,12 +320,10 @@ TEST_CASE("a light is as bright at the point looked at as it was") {
 TEST_CASE("what PBRT cannot say is listed") {
     const LoadResult r =
         load_objects("bclr 1 1 1\nl 0 0 2 1 1 1\ns 0 0 0 -1\npl 0 0 0 1 0 0 0 1 0\n");
-    Strings lost;
-    for (const ConversionWarning& warning : write_pbrt(*r.scene, r.settings, "").lost)
-        lost.push_back(warning.what);
-    CHECK(lost == Strings{"background that lights nothing, now one that does",
-                          "light that does not fall off, now one that does",
-                          "shape of which one side is seen", "infinite plane, now a large square"});
+    CHECK(names_of(write_pbrt(*r.scene, r.settings, "").lost) ==
+          Strings{"background that lights nothing, now one that does",
+                  "light that does not fall off, now one that does",
+                  "shape of which one side is seen", "infinite plane, now a large square"});
 }
 
 namespace {

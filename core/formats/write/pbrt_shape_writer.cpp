@@ -1,5 +1,6 @@
 #include "core/formats/write/pbrt_shape_writer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -21,6 +22,10 @@ bool is_planar(const PolygonFacts& facts) {
 
 }  // namespace
 
+bool is_rounded(const Vec3& p, double size) {
+    return !(max_abs(p - Vec3(Vec3f(p))) <= 0x1p-14 * size);
+}
+
 double distance_to_view_plane(const Camera& camera) {
     const Vec3 view = camera.at - camera.eye;
     return std::sqrt(view.dot(view));
@@ -31,22 +36,45 @@ void PbrtShapeWriter::primitive(const Geometry& geometry, const Primitive& p) {
 }
 
 void PbrtShapeWriter::mesh(std::span<const Vec3> vertices, std::span<const Vec3> normals,
-                           std::span<const std::array<std::uint32_t, 3>> faces) {
+                           std::span<const Face> faces) {
+    const Vec3 origin = origin_of(vertices);
+    if (origin != Vec3(0)) begin_place(translation(origin));
     out_.line("Shape \"trianglemesh\" \"integer indices\" [");
     for (const auto& [a, b, c] : faces) out_.line("{} {} {}", a, b, c);
     out_.line("] \"point P\" [");
-    for (const Vec3& v : vertices) out_.line("{}", v);
+    for (const Vec3& v : vertices) out_.line("{}", v - origin);
     if (!normals.empty()) out_.line("] \"normal N\" [");
     for (const Vec3& n : normals) out_.line("{}", n);
     out_.line("]");
+    if (origin != Vec3(0)) end_place();
+}
+
+/// Returns the point from which a mesh's coordinates are written: the origin of the world, or the
+/// centre of a mesh whose shape the rounding of floats would change.
+Vec3 PbrtShapeWriter::origin_of(std::span<const Vec3> vertices) {
+    Box3 box;
+    for (const Vec3& v : vertices) box.extendBy(v);
+    const double size = max_abs(box.size());
+    const auto rounded = [&](const Vec3& v) { return is_rounded(v, size); };
+    if (std::ranges::none_of(vertices, rounded)) return Vec3(0);
+    lost_.add("mesh too far from the origin for pbrt-v3's floats");
+    return box.center();
 }
 
 /// PBRT's matrices are column by column.
-void PbrtShapeWriter::placed(const Affine& to_world, std::string_view statement) {
+void PbrtShapeWriter::begin_place(const Affine& to_world) {
     const auto& [x, y, z, origin] = to_world;
     out_.line("TransformBegin\nTransform [ {} 0  {} 0  {} 0  {} 1 ]", x, y, z, origin);
-    out_.line("{}", statement);
+}
+
+void PbrtShapeWriter::end_place() {
     out_.line("TransformEnd");
+}
+
+void PbrtShapeWriter::placed(const Affine& to_world, std::string_view statement) {
+    begin_place(to_world);
+    out_.line("{}", statement);
+    end_place();
 }
 
 void PbrtShapeWriter::write(const Sphere& s) {
@@ -114,7 +142,7 @@ void PbrtShapeWriter::write(const Cone& c) {
 /// waist and cannot be a cone without its apex.
 void PbrtShapeWriter::write_facets(const Cone& cone) {
     std::vector<Vec3> vertices, normals;
-    std::vector<std::array<std::uint32_t, 3>> faces;
+    std::vector<Face> faces;
     to_facets(cone, [&](std::span<const Vec3> corners, std::span<const Vec3> corner_normals) {
         const auto first = static_cast<std::uint32_t>(vertices.size());
         vertices.insert(vertices.end(), corners.begin(), corners.end());
@@ -133,19 +161,19 @@ void PbrtShapeWriter::write(const Box& b) {
         corners.emplace_back((i & 1) != 0 ? b.max.x : b.min.x, (i & 2) != 0 ? b.max.y : b.min.y,
                              (i & 4) != 0 ? b.max.z : b.min.z);
     }
-    static constexpr std::array<std::array<std::uint32_t, 3>, 12> faces = {{{0, 2, 3},
-                                                                            {0, 3, 1},
-                                                                            {4, 5, 7},
-                                                                            {4, 7, 6},
-                                                                            {0, 1, 5},
-                                                                            {0, 5, 4},
-                                                                            {2, 6, 7},
-                                                                            {2, 7, 3},
-                                                                            {0, 4, 6},
-                                                                            {0, 6, 2},
-                                                                            {1, 3, 7},
-                                                                            {1, 7, 5}}};
-    std::span<const std::array<std::uint32_t, 3>> seen = faces;
+    static constexpr std::array<Face, 12> faces = {{{0, 2, 3},
+                                                    {0, 3, 1},
+                                                    {4, 5, 7},
+                                                    {4, 7, 6},
+                                                    {0, 1, 5},
+                                                    {0, 5, 4},
+                                                    {2, 6, 7},
+                                                    {2, 7, 3},
+                                                    {0, 4, 6},
+                                                    {0, 6, 2},
+                                                    {1, 3, 7},
+                                                    {1, 7, 5}}};
+    std::span<const Face> seen = faces;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int k = static_cast<int>(axis);
         if (b.min[k] == b.max[k]) seen = std::span(faces).subspan(4 * (2 - axis), 2);
@@ -174,7 +202,7 @@ void PbrtShapeWriter::write(const Plane& p) {
     orthonormal_basis(normal, map.x, map.y);
     const Vec3 centre = camera_.eye - away * normal, x = side * map.x, y = side * map.y;
     const std::array corners = {centre - x - y, centre + x - y, centre + x + y, centre - x + y};
-    static constexpr std::array<std::array<std::uint32_t, 3>, 2> faces = {{{0, 1, 2}, {0, 2, 3}}};
+    static constexpr std::array<Face, 2> faces = {{{0, 1, 2}, {0, 2, 3}}};
     mesh(corners, {}, faces);
 }
 

@@ -15,9 +15,15 @@ namespace etalon {
 /// Returns the distance from a camera to its view plane.
 double distance_to_view_plane(const Camera& camera);
 
+/// Returns whether the floats in which PBRT stores a point are so far from it that it shows in what
+/// is of that size.
+bool is_rounded(const Vec3& p, double size);
+
 /// Writes shapes as statements of PBRT.
 class PbrtShapeWriter {
   public:
+    using Face = std::array<std::uint32_t, 3>;
+
     /// `camera` decides how large a square stands for an infinite plane, which PBRT lacks.
     PbrtShapeWriter(LineWriter& out, ConversionWarnings& lost, const Camera& camera)
         : out_(out), lost_(lost), camera_(camera) {}
@@ -27,7 +33,7 @@ class PbrtShapeWriter {
 
     /// Writes a triangle mesh. There is a normal for each vertex, or none.
     void mesh(std::span<const Vec3> vertices, std::span<const Vec3> normals,
-              std::span<const std::array<std::uint32_t, 3>> faces);
+              std::span<const Face> faces);
 
     /// Writes a statement with a transform that is valid for it only.
     void placed(const Affine& to_world, std::string_view statement);
@@ -46,6 +52,10 @@ class PbrtShapeWriter {
     void write(const StoredPolygon& p);
     void write(const Plane& p);
     void write_facets(const Cone& cone);
+
+    Vec3 origin_of(std::span<const Vec3> vertices);
+    void begin_place(const Affine& to_world);
+    void end_place();
 
     LineWriter& out_;
     ConversionWarnings& lost_;

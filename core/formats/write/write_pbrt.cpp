@@ -10,6 +10,7 @@
 #include "core/formats/write/pbrt_shape_writer.h"
 #include "core/formats/write/text.h"
 #include "core/formats/write/write.h"
+#include "core/numerics/transforms.h"
 
 namespace etalon {
 namespace {
@@ -79,10 +80,20 @@ class PbrtScene {
     /// Writes a light that is not a shape.
     void write_light(const PhysicalLight& light) {
         if (const auto* point = std::get_if<PointSource>(&light)) {
-            out_.line("LightSource \"point\" \"rgb I\" [ {} ] \"point from\" [ {} ]",
-                      point->intensity, point->position);
+            write_point(*point);
         } else if (const auto* infinite = std::get_if<InfiniteSource>(&light)) {
             out_.line("LightSource \"infinite\" \"rgb L\" [ {} ]", infinite->radiance);
+        }
+    }
+
+    void write_point(const PointSource& point) {
+        const std::string light =
+            fmt::format("LightSource \"point\" \"rgb I\" [ {} ]", point.intensity);
+        if (is_rounded(point.position, distance_to_view_plane(scene_.camera))) {
+            lost_.add("light too far from the origin for pbrt-v3's floats");
+            shapes_.placed(translation(point.position), light);
+        } else {
+            out_.line("{} \"point from\" [ {} ]", light, point.position);
         }
     }
 
