@@ -277,6 +277,18 @@ TEST_CASE("what is small and far from the origin keeps its shape and is listed")
     CHECK(max_abs(light.position - far - Vec3(.3, .1, 2)) < 1e-7);
 }
 
+TEST_CASE("faces without area are left out") {
+    const LoadResult before = load_objects(
+        "p 5 -1 -1 0 1 -1 0 1 1 0 -1 1 0 -1 -1 0\n"
+        "mesh 4 2\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 2 3\n1 2 4\n");
+    LoadOptions strict;
+    strict.strict = true;
+    const LoadResult after =
+        load_scene_text(write_pbrt(*before.scene, before.settings, "").text, "faces.pbrt", strict);
+    CHECK(messages(after).empty());
+    CHECK(after.scene->geometry.primitives.size() == 3);
+}
+
 TEST_CASE("a polygon that PBRT shows otherwise is listed") {
     const auto lost = [](const std::string& polygon) {
         const LoadResult r = load_objects(polygon + "\n");

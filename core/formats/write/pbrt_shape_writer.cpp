@@ -35,12 +35,21 @@ void PbrtShapeWriter::primitive(const Geometry& geometry, const Primitive& p) {
     with_shape(p.kind, [&]<class Shape>() { write(geometry.get<Shape>(p)); });
 }
 
+/// Leaves out faces without area, which are errors where the file is read strictly.
 void PbrtShapeWriter::mesh(std::span<const Vec3> vertices, std::span<const Vec3> normals,
                            std::span<const Face> faces) {
     const Vec3 origin = origin_of(vertices);
+    const auto has_area = [&](const Face& face) {
+        const auto stored = [&](std::uint32_t i) { return Vec3(Vec3f(vertices[i] - origin)); };
+        const Vec3 a = stored(face[0]);
+        return (stored(face[1]) - a).cross(stored(face[2]) - a) != Vec3(0);
+    };
+    if (std::ranges::none_of(faces, has_area)) return;
     if (origin != Vec3(0)) begin_place(translation(origin));
     out_.line("Shape \"trianglemesh\" \"integer indices\" [");
-    for (const auto& [a, b, c] : faces) out_.line("{} {} {}", a, b, c);
+    for (const auto& face : faces) {
+        if (has_area(face)) out_.line("{} {} {}", face[0], face[1], face[2]);
+    }
     out_.line("] \"point P\" [");
     for (const Vec3& v : vertices) out_.line("{}", v - origin);
     if (!normals.empty()) out_.line("] \"normal N\" [");
