@@ -109,3 +109,14 @@ TEST_CASE("legacy PRT has the program's camera and brings bright pixels into ran
     CHECK(r.settings.pixel_rays == PixelRays::upper_left);
     CHECK(r.settings.whitted.normalize_camera_rays);
 }
+
+TEST_CASE("legacy PRT turns the image upside down beyond an angle of 90 degrees") {
+    const LoadResult wide =
+        load_text("prt", "from 0 0 5\nat 0 0 0\nup 0 1 0\nangle 140\nresolution 9 9\n", legacy());
+    CHECK(messages(wide).empty());
+    const LoadResult narrow =
+        load_text("prt", "from 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nresolution 9 9\n", legacy());
+    CHECK(wide.scene->camera.up == Vec3(0, -1, 0));
+    CHECK(narrow.scene->camera.up == Vec3(0, 1, 0));
+    CHECK(wide.scene->camera.fov_degrees == Approx(narrow.scene->camera.fov_degrees));
+}

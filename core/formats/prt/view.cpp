@@ -58,11 +58,13 @@ std::string missing_lines(const Loader& loader) {
     return fmt::format("{}", fmt::join(missing, ", "));
 }
 
-/// The program used half the image's extent as tan(angle) / sqrt(2), which mirrors the image beyond
-/// 90 degrees.
-double legacy_fov(double degrees) {
-    const double half = std::tan(degrees * (std::numbers::pi / 180)) / std::numbers::sqrt2;
-    return 2 * std::atan(half) * (180 / std::numbers::pi);
+/// The program used half the image's extent as tan(angle) / sqrt(2). It is negative beyond 90
+/// degrees, which turns the image upside down.
+void set_legacy_angle(Camera& camera) {
+    const double half =
+        std::tan(camera.fov_degrees * (std::numbers::pi / 180)) / std::numbers::sqrt2;
+    camera.fov_degrees = 2 * std::atan(std::abs(half)) * (180 / std::numbers::pi);
+    if (half < 0) camera.up = -camera.up;
 }
 
 void set_quadric_centres(Geometry& geometry, const Vec3& centre) {
@@ -88,8 +90,7 @@ void ignore_quadric_centres(Geometry& geometry) {
 
 /// Applies the rules of PRT's program.
 void apply_legacy(Scene& scene, RenderSettings& settings) {
-    Camera& camera = scene.camera;
-    camera.fov_degrees = legacy_fov(camera.fov_degrees);
+    set_legacy_angle(scene.camera);
     settings.pixel_rays = PixelRays::upper_left;
     settings.whitted.normalize_camera_rays = true;
     ignore_quadric_centres(scene.geometry);
