@@ -53,6 +53,11 @@ std::optional<Matrix4> look_at(const Vec3& eye, const Vec3& at, const Vec3& up) 
 Matrix4 from_columns(std::span<const double, 16> elements) {
     Matrix4 m;
     for (std::size_t i = 0; i < 16; ++i) m[i % 4][i / 4] = elements[i];
+    const double w = m[3][3];
+    if (!(w > 0) || m[3] != std::array<double, 4>{0, 0, 0, w}) return m;
+    for (auto& row : m.rows) {
+        for (double& element : row) element /= w;
+    }
     return m;
 }
 

@@ -19,7 +19,8 @@ std::optional<Matrix4> rotation(double degrees, const Vec3& axis);
 /// Nothing if these are one point, or if `up` is along the view.
 std::optional<Matrix4> look_at(const Vec3& eye, const Vec3& at, const Vec3& up);
 
-/// Returns the matrix whose elements are given column by column.
+/// Returns the matrix whose elements are given column by column. If its last row is 0 0 0 w with a
+/// positive w, it is divided by w, which makes it affine: points are divided by theirs.
 Matrix4 from_columns(std::span<const double, 16> elements);
 
 }  // namespace etalon::pbrt

@@ -61,6 +61,15 @@ TEST_CASE("a matrix is given column by column") {
     check_near(carried("ConcatTransform [0 1 0 0  -1 0 0 0  0 0 1 0  0 0 0 1]"), {-2, 1, 3});
 }
 
+TEST_CASE("a matrix whose last row is 0 0 0 w divides by w") {
+    check_near(carried("Transform [2 0 0 0  0 4 0 0  0 0 6 0  14 16 18 2]"), {8, 12, 18});
+    check_near(carried("Scale 2 2 2 ConcatTransform [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 .5]"),
+               {4, 8, 12});
+    const Matrix4 negative =
+        from_columns(std::array<double, 16>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1});
+    CHECK_FALSE(is_affine(negative));
+}
+
 TEST_CASE("a transformation acts before those that were stated earlier") {
     check_near(carried("Translate 10 0 0 Scale 2 2 2"), {12, 4, 6});
     check_near(carried("Scale 2 2 2 ConcatTransform [1 0 0 0 0 1 0 0 0 0 1 0 5 0 0 1]"),
