@@ -1,3 +1,4 @@
+#include "core/formats/load.h"
 #include "tests/formats/pbrt/pbrt_text.h"
 
 using namespace etalon;
@@ -21,6 +22,22 @@ TEST_CASE("a shape has its parameters and its place in the file") {
     CHECK(sphere.parameters.number("radius") == 3);
     CHECK(sphere.where.line == 2);
     CHECK(sphere.where.column == 1);
+}
+
+TEST_CASE("the sign of a radius has no effect") {
+    const auto only_shape = [](const std::string& shape) {
+        const std::string text = "WorldBegin Shape " + shape + " \"float phimax\" 90 WorldEnd";
+        const LoadResult r = load_scene_text(text, "a.pbrt", {});
+        CHECK(r.diagnostics.empty());
+        REQUIRE(r.scene->geometry.primitives.size() == 1);
+        return r.scene->geometry.all<Revolved>()[0].to_world;
+    };
+    for (const std::string name : {"cylinder", "cone", "paraboloid", "sphere", "disk"}) {
+        const std::string radius = "\"" + name + "\" \"float radius\" ";
+        CHECK(only_shape(radius + "-2") == only_shape(radius + "2"));
+    }
+    CHECK(only_shape("\"disk\" \"float innerradius\" -.5") ==
+          only_shape("\"disk\" \"float innerradius\" .5"));
 }
 
 TEST_CASE("a mesh has its lists") {

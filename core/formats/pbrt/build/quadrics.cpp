@@ -9,6 +9,11 @@ bool is_whole_turn(const Parameters& p) {
     return p.number("phimax") >= 360;
 }
 
+/// Returns the magnitude of a radius: pbrt-v3 squares it, so that its sign has no effect on hits.
+double radius_of(const Parameters& p, std::string_view name = "radius") {
+    return std::abs(p.number(name));
+}
+
 /// Returns the scale of the map if the shape can be a sphere or a ring: a whole turn whose surface
 /// coordinates are not needed, since those of spheres and rings differ. Nothing if it cannot, or if
 /// the map does not preserve circles.
@@ -69,7 +74,7 @@ TurningDirection direction_along(const Vec3& p1, const Vec3& p2, double radius, 
 
 void build_sphere(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
-    const double radius = std::abs(p.number("radius"));
+    const double radius = radius_of(p);
     if (!(radius > 0)) return s.skip("its radius is 0");
     const auto height = [&](std::string_view name) {
         return std::clamp(p.number(name) / radius, -1.0, 1.0);
@@ -89,8 +94,8 @@ void build_sphere(ShapeBuilder& s) {
 
 void build_disk(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
-    const double outer = p.number("radius"), inner = p.number("innerradius");
-    if (!(outer > inner) || !(inner >= 0)) return s.skip("it has no area");
+    const double outer = radius_of(p), inner = radius_of(p, "innerradius");
+    if (!(outer > inner)) return s.skip("it has no area");
     const double height = p.number("height");
     const std::optional<double> scale = scale_of_circles(s);
     if (!scale) {
@@ -105,14 +110,14 @@ void build_cylinder(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
     const double low = std::min(p.number("zmin"), p.number("zmax")),
                  high = std::max(p.number("zmin"), p.number("zmax"));
-    add_revolved(s, unit_to_shape(p.number("radius"), high - low, low), profiles::cylinder());
+    add_revolved(s, unit_to_shape(radius_of(p), high - low, low), profiles::cylinder());
 }
 
 void build_cone(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
     const double height = p.number("height");
     if (!(height > 0)) return s.skip("it has no area");
-    add_revolved(s, unit_to_shape(p.number("radius"), height, height), profiles::cone());
+    add_revolved(s, unit_to_shape(radius_of(p), height, height), profiles::cone());
 }
 
 void build_paraboloid(ShapeBuilder& s) {
@@ -120,7 +125,7 @@ void build_paraboloid(ShapeBuilder& s) {
     const double low = std::min(p.number("zmin"), p.number("zmax")),
                  high = std::max(p.number("zmin"), p.number("zmax"));
     if (!(high > 0)) return s.skip("it has no area");
-    add_revolved(s, unit_to_shape(p.number("radius"), high, 0), profiles::paraboloid(low / high));
+    add_revolved(s, unit_to_shape(radius_of(p), high, 0), profiles::paraboloid(low / high));
 }
 
 void build_hyperboloid(ShapeBuilder& s) {
