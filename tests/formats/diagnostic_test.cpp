@@ -102,6 +102,14 @@ TEST_CASE("places are found in any order") {
     check_place(locator, 7, 4, 1);
 }
 
+TEST_CASE("places are found where lines end with CR alone") {
+    Locator locator("ab\rc\r\rlong line");
+    check_place(locator, 3, 2, 1);
+    check_place(locator, 6, 4, 1);
+    check_place(locator, 15, 4, 10);
+    check_place(locator, 2, 1, 3);
+}
+
 TEST_CASE("places near each other and far from each other are found") {
     std::string text;
     for (int line = 1; line <= 300; ++line)
