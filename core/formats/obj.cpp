@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "core/formats/reader.h"
 #include "core/formats/triangulation.h"
@@ -12,6 +13,31 @@ namespace etalon {
 namespace {
 
 using Corner = ObjMesh::Corner;
+
+/// Returns the number of characters of the line end at an offset.
+std::size_t line_end_size(std::string_view text, std::size_t at) {
+    const std::string_view rest = text.substr(at, 2);
+    if (rest == "\r\n") return 2;
+    return rest.starts_with('\n') || rest.starts_with('\r') ? 1 : 0;
+}
+
+bool is_in_comment(std::string_view text, std::size_t at) {
+    const std::size_t start = text.substr(0, at).find_last_of("\r\n") + 1;  // npos + 1 is 0
+    return text.substr(start, at - start).find('#') != text.npos;
+}
+
+/// Returns the text with blanks in place of the backslashes that continue a line on the next, and
+/// of these lines' ends, so that offsets stay; nothing if there are none.
+std::optional<std::string> with_joined_lines(std::string_view text) {
+    std::optional<std::string> joined;
+    for (std::size_t at = text.find('\\'); at != text.npos; at = text.find('\\', at + 1)) {
+        const std::size_t size = line_end_size(text, at + 1);
+        if (size == 0 || is_in_comment(text, at)) continue;
+        if (!joined) joined = text;
+        joined->replace(at, 1 + size, 1 + size, ' ');
+    }
+    return joined;
+}
 
 template <class F>
 void for_each_line(std::string_view text, DiagnosticLog& log, F&& read) {
@@ -147,6 +173,8 @@ std::vector<Vec3> vertex_normals(const ObjMesh& mesh) {
 
 ObjMesh read_obj(std::string_view text, DiagnosticLog& log) {
     ObjMesh mesh;
+    const std::optional<std::string> joined = with_joined_lines(text);
+    if (joined) text = *joined;
     for_each_line(text, log, [&](Reader& in) {
         if (in.keyword() == "v") mesh.vertices.push_back(read_point(in, "position"));
         if (in.keyword() == "vn") mesh.normals.push_back(read_point(in, "normal"));

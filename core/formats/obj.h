@@ -22,10 +22,10 @@ struct ObjMesh {
     std::vector<std::array<Corner, 3>> triangles;
 };
 
-/// Reads `v`, `vn` and `f` and ignores everything else. A corner of a face is `v`, `v/t`, `v//n` or
-/// `v/t/n`, with numbers from 1, or -1, -2, ... counted back from the last one so far. A face of
-/// more than three corners, concave or not, is triangulated. A face that cannot be made is a
-/// warning.
+/// Reads `v`, `vn` and `f` and ignores everything else. A backslash at the end of a line continues
+/// it on the next. A corner of a face is `v`, `v/t`, `v//n` or `v/t/n`, with numbers from 1, or -1,
+/// -2, ... counted back from the last one so far. A face of more than three corners, concave or
+/// not, is triangulated. A face that cannot be made is a warning.
 ObjMesh read_obj(std::string_view text, DiagnosticLog& log);
 
 /// Gives every corner a normal. If no face of the file names any, vertex i gets normal i. Normals

@@ -64,6 +64,17 @@ TEST_CASE("a corner may name a texture and a normal beside its vertex") {
           Indices{no_index, no_index, no_index});
 }
 
+TEST_CASE("a backslash continues a line on the next, but not a comment") {
+    const std::string text =
+        "# C:\\meshes\\\nv 0 0 0\nv \\\r\n1 0 0\nv 1 1 \\\r0\nf 1 2 \\\n\\\n 3\nf 1 x\n";
+    const Read r = read(text);
+    CHECK(r.messages ==
+          std::vector<std::string>{
+              "a.obj:9:5: warning: face left out: expected v, v/t, v//n or v/t/n, found 'x'"});
+    CHECK(r.mesh.vertices == std::vector<Vec3>{Vec3(0), Vec3(1, 0, 0), Vec3(1, 1, 0)});
+    CHECK(vertices_of(r.mesh) == Indices{0, 1, 2});
+}
+
 TEST_CASE("a negative number counts from the last vertex so far") {
     const Read r = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -4 -2 -1\n");
     CHECK(r.messages.empty());
