@@ -39,6 +39,12 @@ TEST_CASE("a quad light takes at least one sample and not absurdly many") {
     CHECK(std::get<QuadLight>(many.scene->whitted().lights[0]).samples == 65536);
 }
 
+TEST_CASE("a quad light of edges longer than any number is left out") {
+    const LoadResult r = load_statements("light quad -1e308 5 5 1 1 1 1e308 5 5 0 1e308 5 4");
+    CHECK(messages(r) == Messages{"a.p3f:1:1: warning: 'light' left out: its edges are too long"});
+    CHECK(r.scene->whitted().lights.empty());
+}
+
 TEST_CASE("an unknown kind of light is reported with the nearest known one") {
     const LoadResult r = load_statements("light punctal 1 2 3 1 1 1\nl 0 0 0 1 1 1");
     CHECK(messages(r) ==

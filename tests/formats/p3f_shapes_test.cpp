@@ -103,6 +103,15 @@ TEST_CASE("a plane's normal does not depend on a power of two in the scene's sca
     CHECK(normal(1) == normal(0x1p-1000));
 }
 
+TEST_CASE("the square of a plane's normal is in the range of double") {
+    for (const char* plane :
+         {"pl 2.8 -.15 -1  -.74 -1e160 -.3  3 -.3 -.87", "pl 0 0 0 1 0 0 0 1 0"}) {
+        const Vec3 n = OnlyObject(plane).as<Plane>().normal;
+        CHECK(max_abs(n) >= 1);
+        CHECK(max_abs(n) < 2);
+    }
+}
+
 TEST_CASE("a plane whose points span none is left out") {
     CHECK(warning_of("pl 0 0 0 1 1 1 2 2 2") == "'pl' left out: its points span no plane");
     CHECK(warning_of("pl 1 1 1 1 1 1 2 5 2") == "'pl' left out: its points span no plane");

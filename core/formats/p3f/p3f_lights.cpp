@@ -24,8 +24,11 @@ void read_quad_light(Loader& loader) {
         in.warn_at(offset, "range", "expected 1 to {} light samples, found {}; taken as {}",
                    most_samples, samples, taken);
     }
-    loader.scene.whitted().lights.emplace_back(
-        QuadLight{corner, end1 - corner, end2 - corner, color, static_cast<int>(taken)});
+    const QuadLight light{corner, end1 - corner, end2 - corner, color, static_cast<int>(taken)};
+    if (!is_finite(light.edge1) || !is_finite(light.edge2)) {
+        return loader.skip_degenerate("its edges are too long");
+    }
+    loader.scene.whitted().lights.emplace_back(light);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ void read_plane(Loader& loader) {
     if (!is_finite(normal) || normal == Vec3(0)) {
         return loader.skip_degenerate("its points span no plane");
     }
-    loader.add(Plane{points[0], normal}, loader.sides());
+    loader.add(Plane{points[0], to_unit_magnitude(normal)}, loader.sides());
 }
 
 /// Reads the plane of the points with N.p + D = 0.

@@ -3,6 +3,7 @@
 
 #include "core/formats/polygon_normal.h"
 #include "core/formats/prt/prt_loader.h"
+#include "core/numerics/rounding.h"
 
 namespace etalon::prt {
 namespace {
@@ -83,7 +84,7 @@ void read_ring(Loader& loader) {
         return loader.skip_degenerate(
             "its inner radius, the second, is not between 0 and the outer one");
     }
-    loader.add(Ring{points[0], normal, inner, outer}, loader.sides());
+    loader.add(Ring{points[0], to_unit_magnitude(normal), inner, outer}, loader.sides());
 }
 
 /// Reads a quadric: `center`, the box it is cut to, and the coefficients a ... j.
