@@ -110,6 +110,17 @@ TEST_CASE("legacy PRT has the program's camera and brings bright pixels into ran
     CHECK(r.settings.whitted.normalize_camera_rays);
 }
 
+TEST_CASE("legacy PRT rounds the exponents of highlights") {
+    const auto material = [](const std::string& exponent) {
+        const LoadResult r =
+            load_prt_text("surface 0 0 0 0 0 0 0 0 0 0 0 1 1 1 1 1 1 " + exponent + " 1", legacy());
+        return r.scene->whitted().materials.at(0);
+    };
+    CHECK(material("2.5").shininess == 3);
+    CHECK(material("2.5").specular == Color(1.0F));
+    CHECK(material("0.4").specular == Color(0.0F));
+}
+
 TEST_CASE("legacy PRT turns the image upside down beyond an angle of 90 degrees") {
     const LoadResult wide =
         load_text("prt", "from 0 0 5\nat 0 0 0\nup 0 1 0\nangle 140\nresolution 9 9\n", legacy());

@@ -88,12 +88,21 @@ void ignore_quadric_centres(Geometry& geometry) {
     }
 }
 
+/// Rounds exponents as the program did, which had no highlight where that gives 0.
+void round_exponents(std::vector<Material>& materials) {
+    for (Material& m : materials) {
+        m.shininess = std::round(m.shininess);
+        if (m.shininess == 0) m.specular = Color(0.0F);
+    }
+}
+
 /// Applies the rules of PRT's program.
 void apply_legacy(Scene& scene, RenderSettings& settings) {
     set_legacy_angle(scene.camera);
     settings.pixel_rays = PixelRays::upper_left;
     settings.whitted.normalize_camera_rays = true;
     ignore_quadric_centres(scene.geometry);
+    round_exponents(scene.whitted().materials);
 }
 
 }  // namespace
