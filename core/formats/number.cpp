@@ -33,6 +33,8 @@ namespace {
 ScannedNumber scan_long_integer(const char* p, const char* last, bool negative,
                                 std::int64_t& value) {
     const char* const digits = p;
+    while (p != last && *p == '0') ++p;
+    const char* const significant = p;
     std::uint64_t number = 0;
     for (; p != last; ++p) {
         const unsigned digit = static_cast<unsigned char>(*p) - unsigned{'0'};
@@ -41,7 +43,7 @@ ScannedNumber scan_long_integer(const char* p, const char* last, bool negative,
     }
     constexpr std::ptrdiff_t most_digits = 19;  // 10^19 < 2^64
     if (p == digits) return {p, NumberStatus::malformed};
-    if (p - digits > most_digits || number > std::numeric_limits<std::int64_t>::max()) {
+    if (p - significant > most_digits || number > std::numeric_limits<std::int64_t>::max()) {
         return {p, NumberStatus::out_of_range};
     }
     value = static_cast<std::int64_t>(number);

@@ -96,6 +96,13 @@ TEST_CASE("a number too large for double is out of range, one too small is zero"
     CHECK(value_of("1.7976931348623157e308") == std::numeric_limits<double>::max());
 }
 
+TEST_CASE("zeros before an integer do not count") {
+    CHECK(scan<std::int64_t>("00000000000000000000004").value == 4);
+    CHECK(scan<std::int64_t>("-0000000000000009223372036854775807").value == -9223372036854775807);
+    CHECK(scan<std::int64_t>("0000000000000000000000").value == 0);
+    CHECK(scan<std::int64_t>("0000009223372036854775808").status == NumberStatus::out_of_range);
+}
+
 TEST_CASE("floats are rounded once, and end where floats do") {
     CHECK(scan<float>("16777217").value == 16777216.0F);  // between two floats, to the even one
     CHECK(scan<float>("16777219").value == 16777220.0F);
