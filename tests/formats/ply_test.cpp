@@ -245,6 +245,19 @@ TEST_CASE("faces of many corners are left out with a warning") {
     }
 }
 
+TEST_CASE("a list of a negative number of values is an error") {
+    for (const std::string& encoding : ply_encodings) {
+        PlyText out(encoding, "element vertex 1\n" + xyz +
+                                  "element face 2\nproperty list char int vertex_indices\n");
+        out << 0.0F << 0.0F << 0.0F << std::int8_t(-1) << 0 << 0 << 0 << 0 << 0 << 0;
+        const Read r = read(out.text());
+        CAPTURE(encoding);
+        CHECK_FALSE(r.mesh);
+        REQUIRE(r.messages.size() == 1);
+        CHECK(r.messages[0].ends_with("error: found a list of -1 values amid the elements 'face'"));
+    }
+}
+
 TEST_CASE("a face of a PLY file that names no vertex is an error") {
     for (const std::string face : {"3 0 1 3", "3 0 1 -1", "3 0 1 1e30"}) {
         const Read r = read(ascii(xyz, "0 0 0 1 0 0 0 1 0\n", face));

@@ -95,11 +95,10 @@ class FaceReader {
 
     bool read_corners() {
         double count = 0;
-        if (!in_.read(*corners_.count, count)) return false;
+        if (!read_size(in_, corners_, count)) return false;
         if (count != 3 && count != 4) {
             ++left_out_;
-            return count >= 0 && count < 0x1p32 &&
-                   in_.skip(corners_.type, static_cast<std::uint64_t>(count));
+            return in_.skip(corners_.type, static_cast<std::uint64_t>(count));
         }
         std::array<std::uint32_t, 4> corner{};
         for (int i = 0; i < count; ++i) {

@@ -35,7 +35,8 @@ bool AsciiNumbers::read(Type, double& value) {
 }
 
 std::string AsciiNumbers::error() const {
-    return next_ == last_ ? "the file ends" : "expected a number, found " + in_quotes(word());
+    return reason_or(next_ == last_ ? "the file ends"
+                                    : "expected a number, found " + in_quotes(word()));
 }
 
 }  // namespace etalon::ply

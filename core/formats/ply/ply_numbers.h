@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "core/formats/ply/ply_header.h"
 #include "core/numerics/vec.h"
@@ -55,9 +57,23 @@ auto with_type(Type type, F&& f) {
     }
 }
 
+/// The reason why a number that was read makes the rest unreadable, or empty.
+class Unreadable {
+  public:
+    void fail(std::string reason) { reason_ = std::move(reason); }
+
+  protected:
+    const std::string& reason_or(const std::string& other) const {
+        return reason_.empty() ? other : reason_;
+    }
+
+  private:
+    std::string reason_;
+};
+
 /// Both sources of numbers have these members.
 template <ByteOrder order>
-class BinaryNumbers {
+class BinaryNumbers : public Unreadable {
   public:
     static constexpr bool is_binary = true;
 
@@ -100,15 +116,16 @@ class BinaryNumbers {
     const char* last() const { return last_; }
     std::size_t remaining() const { return static_cast<std::size_t>(last_ - next_); }
 
-    /// Return the offset of the next number, and the error where read() or skip() failed.
+    /// Return the offset of the next number, and the error: that of fail(), or that of read() or
+    /// skip().
     std::size_t offset() const { return DiagnosticLog::whole_file; }
-    std::string error() const { return "the file ends"; }
+    std::string error() const { return reason_or("the file ends"); }
 
   private:
     const char *file_, *next_, *last_;
 };
 
-class AsciiNumbers {
+class AsciiNumbers : public Unreadable {
   public:
     static constexpr bool is_binary = false;
 

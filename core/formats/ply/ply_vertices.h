@@ -1,6 +1,8 @@
 // The vertices of a PLY file.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <array>
 
 #include "core/formats/ply/ply.h"
@@ -49,12 +51,20 @@ void read_columns(BinaryNumbers<order>& in, const Element& vertices, std::vector
     }
 }
 
+/// Reads the number of a list's values; returns false if it is none.
+template <class Source>
+bool read_size(Source& in, const Property& list, double& size) {
+    if (!in.read(*list.count, size)) return false;
+    if (size >= 0 && size < 0x1p32) return true;
+    in.fail(fmt::format("found a list of {} values", size));
+    return false;
+}
+
 /// Skips the values of a list.
 template <class Source>
 bool skip_list(Source& in, const Property& list) {
-    double count = 0;
-    return in.read(*list.count, count) && count >= 0 && count < 0x1p32 &&
-           in.skip(list.type, static_cast<std::uint64_t>(count));
+    double size = 0;
+    return read_size(in, list, size) && in.skip(list.type, static_cast<std::uint64_t>(size));
 }
 
 /// Reads one element; returns false at a malformed number.
