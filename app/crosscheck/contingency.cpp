@@ -45,8 +45,8 @@ Contingency contingency(const std::vector<Trial>& trials, const CrosscheckedTrac
     Contingency table{a.name, b.name};
     for (std::size_t t = 0; t < trials.size(); ++t) {
         for (std::size_t i = 0; i < trials[t].rays.size(); ++i) {
-            const Classification by_a = classify(trials[t].truth[i], a.answers[t].all[i]);
-            const Classification by_b = classify(trials[t].truth[i], b.answers[t].all[i]);
+            const Classification by_a = classify(trials[t], i, a.answers[t].all[i], a.exact);
+            const Classification by_b = classify(trials[t], i, b.answers[t].all[i], b.exact);
             if (!by_a.decided) continue;
             if (by_a.right()) {
                 ++(by_b.right() ? table.both_right : table.only_a_right);

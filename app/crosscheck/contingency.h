@@ -5,7 +5,7 @@
 
 namespace etalon::crosscheck {
 
-/// Numbers of decided rays by which backend is right. The error of t is not considered.
+/// Numbers of decided rays by which backend is right.
 struct Contingency {
     std::string a, b;
     std::size_t both_right = 0, only_a_right = 0, only_b_right = 0, both_wrong = 0;

@@ -13,6 +13,7 @@ Json to_json(const CrosscheckCounts& t) {
             {"undecidable", t.undecidable},
             {"class_errors", t.class_errors},
             {"primitive_errors", t.primitive_errors},
+            {"t_errors", t.t_errors},
             {"t_p50_ulp", t.t_quantile(0.5)},
             {"t_p99_ulp", t.t_quantile(0.99)},
             {"t_max_ulp", t.t_quantile(1)},

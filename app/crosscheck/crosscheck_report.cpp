@@ -28,17 +28,17 @@ std::string by_backend(const Results& results, const std::string& before_name, c
 }
 
 std::string row(const std::string& kind, const CrosscheckCounts& t) {
-    return fmt::format("  {:<6} {:>9} {:>11} {:>7} {:>9} {:>9} {:>6} {:>10.3g} {:>9.3g} {:>9.3g}\n",
-                       kind, t.rays, t.undecidable, t.class_errors, t.primitive_errors,
-                       t.occlusion_errors, t.differences, t.t_quantile(0.5), t.t_quantile(0.99),
-                       t.t_quantile(1));
+    return fmt::format(
+        "  {:<6} {:>9} {:>11} {:>7} {:>9} {:>6} {:>9} {:>6} {:>10.3g} {:>9.3g} {:>9.3g}\n", kind,
+        t.rays, t.undecidable, t.class_errors, t.primitive_errors, t.t_errors, t.occlusion_errors,
+        t.differences, t.t_quantile(0.5), t.t_quantile(0.99), t.t_quantile(1));
 }
 
 std::string tallies_as_text(const Results& results) {
-    std::string text = fmt::format("{:>64} {:>30}\n", "wrong answers", "error of t in ulp");
-    text += fmt::format("{:<8} {:>9} {:>11} {:>7} {:>9} {:>9} {:>6} {:>10} {:>9} {:>9}\n", "rays",
-                        "asked", "undecidable", "class", "primitive", "occlusion", "unlike",
-                        "median", "99 %", "max");
+    std::string text = fmt::format("{:>71} {:>30}\n", "wrong answers", "error of t in ulp");
+    text += fmt::format("{:<8} {:>9} {:>11} {:>7} {:>9} {:>6} {:>9} {:>6} {:>10} {:>9} {:>9}\n",
+                        "rays", "asked", "undecidable", "class", "primitive", "t", "occlusion",
+                        "unlike", "median", "99 %", "max");
     return text + by_backend(results, "", [&](const BackendResults& b) {
                std::string rows = "\n";
                for (std::size_t k = 0; k < results.kinds.size(); ++k) {

@@ -9,7 +9,7 @@ BackendResults results_of(const Scene& scene, const std::vector<Trial>& trials,
                           const CrosscheckedTracer& tracer, std::size_t worst) {
     BackendResults results{tracer.name, tracer.exact, {}, {}, {}};
     for (std::size_t t = 0; t < trials.size(); ++t) {
-        results.by_kind.push_back(counts_of(trials[t], tracer.answers[t]));
+        results.by_kind.push_back(counts_of(trials[t], tracer.answers[t], tracer.exact));
     }
     results.total = sum(results.by_kind);
     results.worst = worst_rays(scene, trials, tracer, worst);

@@ -9,8 +9,9 @@ namespace {
 constexpr const char* kinds[] = {"camera", "bounce", "shadow", "aimed"};  // few chords are hard
 
 /// Removes the rays to which a stop left no answer.
-Trial answered(const RaySet& set, const std::vector<std::optional<OracleAnswer>>& answers) {
-    Trial trial{set.kind, {}, {}};
+Trial answered(const RaySet& set, const std::vector<std::optional<OracleAnswer>>& answers,
+               double size) {
+    Trial trial{set.kind, {}, {}, size};
     for (std::size_t i = 0; i < answers.size(); ++i) {
         if (!answers[i]) continue;
         trial.rays.push_back(set.rays[i]);
@@ -20,7 +21,7 @@ Trial answered(const RaySet& set, const std::vector<std::optional<OracleAnswer>>
 }
 
 /// Returns the oracle's answers, until a stop. `done` kinds of ray were answered before.
-Trial answered_trial(const Oracle& oracle, const RaySet& set, std::size_t done,
+Trial answered_trial(const Oracle& oracle, const RaySet& set, double size, std::size_t done,
                      const CrosscheckProgress& run) {
     std::vector<std::optional<OracleAnswer>> answers(set.rays.size());
     std::atomic<std::size_t> count = 0;
@@ -32,7 +33,7 @@ Trial answered_trial(const Oracle& oracle, const RaySet& set, std::size_t done,
         run.progress((static_cast<double>(done) + part / static_cast<double>(set.rays.size())) /
                      static_cast<double>(std::size(kinds)));
     });
-    return answered(set, answers);
+    return answered(set, answers, size);
 }
 
 }  // namespace
@@ -42,10 +43,11 @@ std::vector<Trial> make_trials(const Scene& scene, const Imath::V2i& resolution,
     run.begin("oracle");
     const auto exact = find_backend(default_backend)->build(scene.geometry);
     const Oracle oracle(scene.geometry);
+    const double size = half_size(scene.geometry);
     std::vector<Trial> trials;
     for (const char* kind : kinds) {
         const RaySet set = make_ray_set(kind, scene, resolution, *exact, limit);
-        Trial trial = answered_trial(oracle, set, trials.size(), run);
+        Trial trial = answered_trial(oracle, set, size, trials.size(), run);
         if (run.stop && trial.rays.empty()) break;
         trials.push_back(std::move(trial));
         if (run.stop) break;

@@ -21,6 +21,7 @@ struct Trial {
     std::string kind;  ///< "camera", "bounce", "shadow" or "aimed"
     std::vector<Ray> rays;
     std::vector<OracleAnswer> truth;
+    double size = 1;  ///< half_size() of the scene
 };
 
 /// Returns about `limit` rays of each kind for an image of this resolution; fewer if the scene has

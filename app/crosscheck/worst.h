@@ -14,9 +14,9 @@ struct WorstRay {
 };
 
 /// Returns up to `limit` of the rays that the tracer answers wrongly: first those with a wrong hit
-/// or miss, then a wrong occlusion, then a wrong primitive, then other bits than another exact
-/// backend; of these the ones with the largest error of t. If none is wrong, returns those with the
-/// largest errors of t.
+/// or miss, then a wrong occlusion, then a wrong primitive, then a wrong t, then other bits than
+/// another exact backend; of these the ones with the largest error of t. If none is wrong, returns
+/// those with the largest errors of t.
 std::vector<WorstRay> worst_rays(const Scene& scene, const std::vector<Trial>& trials,
                                  const CrosscheckedTracer& tracer, std::size_t limit);
 

@@ -33,10 +33,12 @@ struct ErrorStats {
 
     std::uint64_t rays = 0, undecidable = 0;
     std::uint64_t false_hits = 0, false_misses = 0;
-    std::uint64_t wrong_roots = 0;       ///< hits, but with t off by more than 1e-2 of the size
     std::uint64_t wrong_primitives = 0;  ///< not the nearest, or at a tie not the lowest
-    std::uint64_t leaks = 0;             ///< rays that leave a closed surface
-    std::uint64_t self_hits = 0;         ///< spawned rays that hit the surface they left
+    /// Hits of the right primitive with t off by more than OracleAnswer::root_limit(), or for exact
+    /// tracers exact_limit().
+    std::uint64_t wrong_roots = 0;
+    std::uint64_t leaks = 0;      ///< rays that leave a closed surface
+    std::uint64_t self_hits = 0;  ///< spawned rays that hit the surface they left
     std::uint64_t contradictions =
         0;                         ///< occluded() contradicts closest(), on a quarter of the rays
     std::uint64_t deviations = 0;  ///< bits that differ from the first exact tracer's

@@ -7,20 +7,10 @@
 #include "core/intersect/kernels.h"
 #include "core/intersect/placement.h"
 #include "core/numerics/rounding.h"
+#include "core/numerics/ulp.h"
 
 namespace etalon::accuracy {
 namespace {
-
-constexpr double other_root = 1e-2;  ///< relative to the size: a larger error means a wrong root
-
-double ulp_of_double(double x) {
-    return std::nextafter(std::abs(x), infinity) - std::abs(x);
-}
-
-/// Returns the spacing of floats at x, as if their exponent were unbounded.
-double ulp_of_float(double x) {
-    return std::ldexp(1.0, std::ilogb(x) - 23);
-}
 
 /// Returns the point from which a renderer would continue the path.
 Vec3 position(const Scene& scene, const TracerEntry& entry, const Ray& ray, const Answer& answer) {
@@ -63,7 +53,9 @@ void OracleReference::classify(const TracerEntry& entry, const Answer& answer,
     } else if (!hit) {
         ++stats.false_misses;
     } else {
-        stats.wrong_primitives += !is_right_primitive(entry, answer);
+        const bool is_right = is_right_primitive(entry, answer);
+        stats.wrong_primitives += !is_right;
+        stats.wrong_roots += is_right && t_.distance(answer.t) > largest_error(entry);
         classify_distance(entry, answer, stats);
     }
 }
@@ -71,16 +63,17 @@ void OracleReference::classify(const TracerEntry& entry, const Answer& answer,
 void OracleReference::classify_distance(const TracerEntry& entry, const Answer& answer,
                                         ErrorStats& stats) const {
     const double off = t_.distance(answer.t);
-    const double float_ulps = off / ulp_of_float(answer_.t);
-    const bool is_far_off = off * ray_.direction.length() > other_root * setup_.size;
-    if (is_far_off && float_ulps > 1) ++stats.wrong_roots;
-    stats.float_ulps.add(float_ulps);
+    stats.float_ulps.add(off / ulp_of_float(answer_.t));
     stats.double_ulps.add(off / ulp_of_double(answer_.t));
     stats.conditioned.add(off / sensitivity_);
     const Vec3 p = position(setup_.scene, entry, ray_, answer);
     const Vec3 apart(position_[0].distance(p.x), position_[1].distance(p.y),
                      position_[2].distance(p.z));
     stats.position.add(apart.length() / setup_.size);
+}
+
+double OracleReference::largest_error(const TracerEntry& entry) const {
+    return entry.exact ? answer_.exact_limit(setup_.tie) : answer_.root_limit(ray_, setup_.size);
 }
 
 bool OracleReference::is_right_primitive(const TracerEntry& entry, const Answer& answer) const {

@@ -40,6 +40,8 @@ class OracleReference {
 
   private:
     void classify_distance(const TracerEntry& entry, const Answer& answer, ErrorStats& stats) const;
+    /// Returns the largest error of a right t.
+    double largest_error(const TracerEntry& entry) const;
     bool is_right_primitive(const TracerEntry& entry, const Answer& answer) const;
     HitKey lowest_of_the_nearest() const;
 

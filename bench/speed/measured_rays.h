@@ -11,8 +11,8 @@ namespace etalon::speed {
 
 class RayMeasurement {
   public:
-    /// The setup, of which only the scene and the tie are used, and the tracers, which must be
-    /// built, must outlive this.
+    /// The setup, of which only the scene, its size and the tie are used, and the tracers, which
+    /// must be built, must outlive this.
     RayMeasurement(const hard::CaseSetup& setup, const std::vector<TimedTracer>& tracers,
                    const SpeedConfig& config);
 

@@ -31,6 +31,7 @@ SceneFigures measure_scene(const std::string& name, Scene scene, const Imath::V2
                            const SpeedConfig& config, const Observer& observer) {
     hard::CaseSetup setup;
     setup.scene = std::move(scene);
+    setup.size = half_size(setup.scene.geometry);
     const Geometry& geometry = setup.scene.geometry;
     SceneFigures figures{name, geometry.item_count(), shape_of(geometry), {}, {}};
     std::vector<TimedTracer> tracers = enter(config);

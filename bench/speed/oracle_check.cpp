@@ -44,8 +44,13 @@ OracleCheck OracleReferences::check_closest(std::span<const Answer> answers, boo
     for (std::size_t i = 0; i < rays_.size(); ++i) {
         references_[i].classify(entry, answers[rays_[i]], stats);
     }
-    return {stats.rays,         stats.undecidable,      stats.false_hits,
-            stats.false_misses, stats.wrong_primitives, stats.float_ulps.max()};
+    return {stats.rays,
+            stats.undecidable,
+            stats.false_hits,
+            stats.false_misses,
+            stats.wrong_primitives,
+            stats.wrong_roots,
+            stats.float_ulps.max()};
 }
 
 OracleCheck OracleReferences::check_occlusion(std::span<const Answer> answers) const {

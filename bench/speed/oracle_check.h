@@ -10,10 +10,12 @@ namespace etalon::speed {
 struct OracleCheck {
     std::uint64_t rays = 0, undecidable = 0;
     std::uint64_t false_hits = 0, false_misses = 0;
-    std::uint64_t wrong_primitives = 0;  ///< always 0 for occlusion queries
-    double t_ulps = 0;                   ///< largest error of t, in ulp of a float
+    std::uint64_t wrong_primitives = 0, wrong_roots = 0;  ///< always 0 for occlusion queries
+    double t_ulps = 0;                                    ///< largest error of t, in ulp of a float
 
-    std::uint64_t errors() const { return false_hits + false_misses + wrong_primitives; }
+    std::uint64_t errors() const {
+        return false_hits + false_misses + wrong_primitives + wrong_roots;
+    }
 };
 
 /// Returns all numbers below `count` in an order of which every prefix is spread evenly over them.

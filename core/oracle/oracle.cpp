@@ -5,6 +5,7 @@
 #include "core/intersect/kernels.h"
 #include "core/intersect/placement.h"
 #include "core/intersect/rescaled_ray.h"
+#include "core/numerics/ulp.h"
 #include "core/oracle/definitions.h"
 
 namespace etalon {
@@ -119,6 +120,17 @@ class WideSlabs {
 
 double OracleAnswer::relative_error(double t_measured) const {
     return static_cast<double>(magnitude(Quad(t_measured) - exact_t) / magnitude(exact_t));
+}
+
+/// A t below the range of double may be off by any fraction of it.
+double OracleAnswer::exact_limit(double tie) const {
+    const double relative = t_tolerance + finest_error + (tied.size() > 1 ? tie : 0);
+    return relative * t + std::numeric_limits<double>::min();
+}
+
+double OracleAnswer::root_limit(const Ray& ray, double size) const {
+    constexpr double other_root = 1e-2;
+    return std::max(other_root * size / ray.direction.length(), ulp_of_float(t));
 }
 
 Oracle::Oracle(const Geometry& geometry) : geometry_(geometry) {

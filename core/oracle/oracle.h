@@ -20,6 +20,15 @@ struct OracleAnswer {
     /// Returns |t - the true t| / |the true t|, for a hit.
     double relative_error(double t) const;
 
+    /// Returns the largest |t - exact_t| of a right hit of an exact backend: t_tolerance, relative,
+    /// and for one of several `tied` primitives how far they may be apart.
+    double exact_limit(double tie = 2 * t_tolerance) const;
+
+    /// Returns the largest |t - exact_t| that a lack of precision explains: beyond it, another root
+    /// was found. That is a hundredth of `size`, half that of the scene or shape, along the ray,
+    /// but at least an ulp of a float.
+    double root_limit(const Ray& ray, double size) const;
+
     Kind kind = miss;
     double t = 0;                        ///< the double nearest to the true t
     Quad exact_t = 0;                    ///< good to about 100 bits, to 46 if it is ill-conditioned

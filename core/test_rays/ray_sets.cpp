@@ -186,4 +186,8 @@ RaySet make_ray_set(const std::string& kind, const Scene& scene, const Imath::V2
     return kind == "aimed" ? maker.aimed() : maker.random();
 }
 
+double half_size(const Geometry& geometry) {
+    return max_abs(bounds_of(geometry).size()) / 2;
+}
+
 }  // namespace etalon

@@ -32,4 +32,7 @@ inline constexpr std::array ray_kinds = {"camera", "bounce", "shadow", "aimed", 
 RaySet make_ray_set(const std::string& kind, const Scene& scene, const Imath::V2i& resolution,
                     const Intersector& exact, std::size_t limit);
 
+/// Returns half the largest extent of all that is finite; 1 if nothing is.
+double half_size(const Geometry& geometry);
+
 }  // namespace etalon

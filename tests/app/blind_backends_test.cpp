@@ -1,8 +1,12 @@
 // The exit status by which crosscheck and accuracy report that an exact backend is wrong.
+#include <nlohmann/json.hpp>
+
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 
 using namespace etalon::test;
+
+using nlohmann::json;
 
 namespace {
 
@@ -26,6 +30,20 @@ TEST_CASE("crosscheck has status 1 if a backend that claims to be exact is wrong
     }
 }
 
+TEST_CASE("crosscheck calls an exact backend wrong whose every t is wrong", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto r = with_blind_backends(
+        f, "crosscheck ball.p3f --rays 100 -b far-sighted,bvh --json c.json --worst 1");
+    CHECK(r.status == 1);
+    CHECK_THAT(r.out, ContainsSubstring("# far-sighted: the worst rays\n"));
+    CHECK_THAT(r.out, ContainsSubstring("far-sighted is wrong where bvh is right in "));
+    const auto total = json::parse(f.read("c.json"))["far-sighted"];
+    CHECK(total["t_errors"] > 0);
+    CHECK(total["class_errors"] == 0);
+    CHECK(total["occlusion_errors"] == 0);
+}
+
 TEST_CASE("accuracy has status 1 if a backend that claims to be exact is wrong", "[app]") {
     const Folder f;
     const std::string command = "accuracy --case SPH-1 --only-backends --rays 100 --backends ";
@@ -35,7 +53,7 @@ TEST_CASE("accuracy has status 1 if a backend that claims to be exact is wrong",
         CHECK(r.status == 0);
         CHECK_THAT(r.out, !ContainsSubstring("rows with errors"));
     }
-    for (const char* backends : {"blind", "bvh,blind", "blind,bvh"}) {
+    for (const char* backends : {"blind", "bvh,blind", "blind,bvh", "far-sighted"}) {
         const auto r = with_blind_backends(f, command + backends);
         CAPTURE(backends, r.err);
         CHECK(r.status == 1);

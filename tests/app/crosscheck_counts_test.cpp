@@ -34,6 +34,11 @@ CrosscheckedTracer tracer(const std::string& name, std::vector<Answer> answers) 
     return {name, false, {Answers{std::move(answers)}}};
 }
 
+/// Classifies the answer to a ray along x in a scene of size 1.
+Classification classify(const OracleAnswer& truth, const Answer& answer, bool exact = true) {
+    return crosscheck::classify({"aimed", {Ray{Vec3(0), {1, 0, 0}}}, {truth}}, 0, answer, exact);
+}
+
 Scene eight_balls() {
     Scene scene;
     for (int i = 0; i < 8; ++i) scene.geometry.add(Sphere{Vec3(0), 1}, 0);
@@ -54,12 +59,43 @@ TEST_CASE("An answer is classified by class, primitive, occlusion and distance",
     CHECK_FALSE(classify(undecidable(), ball_at_2).decided);
 }
 
+TEST_CASE("An exact backend's t is right to the tolerance, at a tie to that of the others too",
+          "[crosscheck]") {
+    const auto is_wrong = [](const OracleAnswer& truth, double t) {
+        return classify(truth, {Hit{t, 7}, true}).wrong_t;
+    };
+    const OracleAnswer alone = hit_at(2, {7}), tied = hit_at(2, {5, 7});
+    CHECK_FALSE(is_wrong(alone, 2 * (1 + t_tolerance)));
+    CHECK(is_wrong(alone, 2 * (1 + 2 * t_tolerance)));
+    CHECK_FALSE(is_wrong(tied, 2 * (1 - 3 * t_tolerance)));
+    CHECK(is_wrong(tied, 2 * (1 - 4 * t_tolerance)));
+    CHECK_FALSE(classify(alone, {Hit{3, 7}, true}).right());
+    CHECK_FALSE(is_wrong(hit_at(1e-320, {7}), 1.1e-320));
+}
+
+TEST_CASE("Another backend's t is wrong if it is off by a hundredth of the scene's size",
+          "[crosscheck]") {
+    const auto is_wrong = [](double truth, double t) {
+        return classify(hit_at(truth, {7}), {Hit{t, 7}, true}, false).wrong_t;
+    };
+    CHECK_FALSE(is_wrong(1e-7, 0.005));
+    CHECK(is_wrong(1e-7, 0.02));
+    CHECK_FALSE(is_wrong(0x1p40, 0x1p40 + 0x1p16));  // an ulp of a float
+    CHECK(is_wrong(0x1p40, 0x1p40 + 0x1p18));
+}
+
+TEST_CASE("A hit on another primitive is not also one at a wrong distance", "[crosscheck]") {
+    const Classification v = classify(hit_at(2, {7}), {Hit{3, 6}, true});
+    CHECK(v.wrong_primitive);
+    CHECK_FALSE(v.wrong_t);
+}
+
 TEST_CASE("The counts leave out undecidable rays and order the errors of t", "[crosscheck]") {
     const Trial trial{"aimed",
                       std::vector<Ray>(5),
                       {hit_at(2, {7}), hit_at(2, {7}), hit_at(2, {7}), undecidable(), {}}};
     const Answers answers{{{Hit{2 + 0x1p-49, 7}, true}, ball_at_2, nothing, ball_at_2, nothing}};
-    const CrosscheckCounts t = counts_of(trial, answers);
+    const CrosscheckCounts t = counts_of(trial, answers, true);
     CHECK(t.rays == 5);
     CHECK(t.undecidable == 1);
     CHECK(t.class_errors == 1);
@@ -75,7 +111,7 @@ TEST_CASE("An exact backend's answers must be those of the others, decidable or 
     const CrosscheckedTracer a = tracer("a", {ball_at_2, nothing, ball_at_2, nothing});
     CrosscheckedTracer b = tracer("b", {{Hit{2, 5}, true}, nothing, {Hit{2, 7}, false}, nothing});
     mark_differences(b, a);
-    const CrosscheckCounts t = counts_of(trial, b.answers[0]);
+    const CrosscheckCounts t = counts_of(trial, b.answers[0], true);
     CHECK(t.differences == 2);
     CHECK_FALSE(t.clean());
     CHECK(t.class_errors + t.primitive_errors + t.occlusion_errors == 0);
@@ -89,13 +125,14 @@ TEST_CASE("An exact backend's answers must be those of the others, decidable or 
 }
 
 TEST_CASE("The sum of tallies is the sum of each of their numbers", "[crosscheck]") {
-    const CrosscheckCounts a{1, 2, 4, 8, 16, 32, {0, 4}, 0.5},
-        b{100, 200, 400, 800, 1600, 3200, {2}, 0.25};
+    const CrosscheckCounts a{1, 2, 4, 8, 12, 16, 32, {0, 4}, 0.5},
+        b{100, 200, 400, 800, 1200, 1600, 3200, {2}, 0.25};
     const CrosscheckCounts both = sum({a, b});
     CHECK(both.rays == 101);
     CHECK(both.undecidable == 202);
     CHECK(both.class_errors == 404);
     CHECK(both.primitive_errors == 808);
+    CHECK(both.t_errors == 1212);
     CHECK(both.occlusion_errors == 1616);
     CHECK(both.differences == 3232);
     CHECK(both.t_ulp == std::vector<double>{0, 2, 4});
@@ -134,7 +171,7 @@ TEST_CASE("McNemar's test compares the errors of one and of the other", "[crossc
 TEST_CASE("Only a backend that promises to be exact breaks the promise by an error",
           "[crosscheck]") {
     CrosscheckCounts wrong;
-    wrong.occlusion_errors = 1;
+    wrong.t_errors = 1;
     CHECK(Results{{}, {{"free", false, {}, wrong, {}}}, {}}.as_promised());
     CHECK_FALSE(Results{{}, {{"exact", true, {}, wrong, {}}}, {}}.as_promised());
 }

@@ -123,6 +123,19 @@ TEST_CASE("crosscheck reports for pairs of backends which was right", "[app]") {
     CHECK(c["mcnemar"] == only_bvh);
 }
 
+TEST_CASE("crosscheck counts hits on the right primitive whose root is wrong", "[app]") {
+    const Folder f;
+    f.write("near.p3f",
+            "camera eye 0 0 3.0000002 at 0 0 0 up 0 1 0 angle 60 hither 0 resolution 64 64 "
+            "aperture 0 focal 1\n"
+            "mat 1 0.2 0.1 0.6 1 1 1 0 30 0 1\ns 0 0 0 3\n");
+    const auto r = f.etalon("crosscheck near.p3f -b bvh,embree-builtin --rays 100 --json c.json");
+    const json j = json::parse(f.read("c.json")), camera = j["embree-builtin"]["camera"];
+    CHECK(camera["t_errors"] == camera["rays"]);  // Embree sees the far side
+    CHECK(j["contingency"][0]["only_a_right"] >= camera["rays"]);
+    CHECK(j["bvh"]["t_errors"] == 0);
+}
+
 TEST_CASE("crosscheck writes only the requested output to standard output", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

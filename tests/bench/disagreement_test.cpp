@@ -92,7 +92,9 @@ TEST_CASE("The oracle counts each planted error as what it is") {
     CHECK(j.false_hits == 1);
     CHECK(j.false_misses == 1);
     CHECK(j.wrong_primitives == 1);
-    CHECK(j.errors() == 3);
+    CHECK(j.wrong_roots == 1);
+    CHECK(j.errors() == 4);
+    CHECK(check({{2 + 0x1p-38, 0}, {2, 0}, {2, 0}, missed}, false).errors() == 0);
     CHECK(check({{off, 0}, {2, 0}, {2, 0}, missed}, false).t_ulps == 3);
 }
 

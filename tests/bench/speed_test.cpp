@@ -83,7 +83,8 @@ TEST_CASE("speed finds no error of an exact backend, whichever takes part") {
             for (const char* error : {"hit_or_miss", "primitive", "t_bits"}) {
                 CHECK(errors[error] == 0);
             }
-            for (const char* error : {"false_hits", "false_misses", "wrong_primitives"}) {
+            for (const char* error :
+                 {"false_hits", "false_misses", "wrong_primitives", "wrong_roots"}) {
                 CHECK(errors["oracle"][error] == 0);
                 CHECK(errors["disputed"][error] == 0);
             }

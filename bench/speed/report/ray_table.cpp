@@ -106,6 +106,9 @@ const table::Columns<RayLine>& ray_columns() {
          "of the sampled rays: a miss where there is something", Detail::wide},
         {"wrong", "prim", 7, nearest_hit<sample<&OracleCheck::wrong_primitives>>,
          "of the sampled rays: another primitive than the nearest", Detail::wide},
+        {"wrong", "root", 7, nearest_hit<sample<&OracleCheck::wrong_roots>>,
+         "of the sampled rays: the nearest primitive, but not where the ray meets it first",
+         Detail::wide},
         {"t, in", "ulp max", 8, nearest_hit<ulps>,
          "largest error of the distance t among checked rays, in units in the last place of a "
          "float",

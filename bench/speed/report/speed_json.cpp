@@ -44,6 +44,7 @@ Json json_of(const OracleCheck& j) {
             {"false_hits", j.false_hits},
             {"false_misses", j.false_misses},
             {"wrong_primitives", j.wrong_primitives},
+            {"wrong_roots", j.wrong_roots},
             {"t_float_ulps_max", j.t_ulps}};
 }
 
