@@ -175,6 +175,24 @@ bool is_same_file(const std::string& a, const std::string& b) {
     return a == b || fs::equivalent(a, b, none);
 }
 
+/// A file such as "scene-1024.exr", in the order of the numbers, which may have any length.
+struct NumberedImage {
+    std::size_t length = 0;  ///< of the number without leading zeros; 0 if it is no such file
+    std::string number, path;
+
+    auto operator<=>(const NumberedImage&) const = default;
+};
+
+/// Returns the image if the file's name is `stem`, a number and ".exr".
+NumberedImage numbered_image(const fs::path& file, const std::string& stem) {
+    const std::string name = file.stem().string();
+    if (file.extension() != ".exr" || !name.starts_with(stem + "-")) return {};
+    std::string number = name.substr(stem.size() + 1);
+    if (number.find_first_not_of("0123456789") != std::string::npos) return {};
+    number.erase(0, number.find_first_not_of('0'));
+    return number.empty() ? NumberedImage() : NumberedImage{number.size(), number, file.string()};
+}
+
 }  // namespace
 
 Result<std::vector<ForeignImage>> read_foreign_table(const std::string& path) {
@@ -214,19 +232,14 @@ std::string reference_for(const std::vector<ForeignImage>& images, const std::st
         if (!image.reference.empty()) return image.reference;
     }
     const fs::path path(scene);
-    const std::string stem = path.stem().string() + "-";
+    const std::string stem = path.stem().string();
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    NumberedImage best;
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(folder, none)) {
-        const std::string name = entry.path().filename().string();
-        const bool begins = name.starts_with(stem) && name.ends_with(".exr");
-        if (!begins) continue;
-        const std::string samples = name.substr(stem.size(), name.size() - stem.size() - 4);
-        const bool is_number =
-            !samples.empty() && samples.find_first_not_of("0123456789") == std::string::npos;
-        if (is_number) return entry.path().string();
+        best = std::max(best, numbered_image(entry.path(), stem));
     }
-    return {};
+    return best.path;
 }
 
 }  // namespace etalon::convergence

@@ -34,9 +34,9 @@ std::vector<ForeignImage> images_of(const std::vector<ForeignImage>& all, const 
 /// Returns the files of all scenes that a table names, in its order.
 std::vector<std::string> scenes_of(const std::vector<ForeignImage>& all);
 
-/// Returns the reference image of a scene: that of its images in a table, else the file beside the
-/// scene with the scene's name and a number of samples, "scene-1024.exr". Empty if there is
-/// neither.
+/// Returns the reference image of a scene: that of its images in a table, else of the files beside
+/// the scene with the scene's name and a number of samples, "scene-1024.exr", the one with the
+/// largest number. Empty if there is neither.
 std::string reference_for(const std::vector<ForeignImage>& images, const std::string& scene);
 
 }  // namespace etalon::convergence

@@ -61,6 +61,18 @@ TEST_CASE("A table has the columns that its heading names, in any order") {
     CHECK(scenes_of(table.value) == std::vector<std::string>{f.path("x/a.pbrt")});
 }
 
+TEST_CASE("The reference beside a scene is the image with the most samples") {
+    const Folder f;
+    for (const char* name : {"s-4", "s-1024", "s-0256", "s-x2048", "s-", "s-0", "t-4096"}) {
+        f.write(name + std::string(".exr"), "");
+        const std::string reference = reference_for({}, f.path("s.pbrt"));
+        CHECK(reference == f.path(name == std::string("s-4") ? "s-4.exr" : "s-1024.exr"));
+    }
+    f.write("s-00010000000000000000000000.exr", "");
+    CHECK(reference_for({}, f.path("s.pbrt")) == f.path("s-00010000000000000000000000.exr"));
+    CHECK(reference_for({}, f.path("none.pbrt")).empty());
+}
+
 TEST_CASE("A table may begin with a byte order mark") {
     const Folder f;
     const auto table = table_in(f, "\xEF\xBB\xBFwidth\tcpu_s\trelmse\n60\t1\t0.25\n");
