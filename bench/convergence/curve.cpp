@@ -41,7 +41,7 @@ double slope_of(std::span<const Point> points) {
 /// Fits relative residuals, so that no point dominates.
 double floor_of(std::span<const Point> points) {
     return line_through(
-               points, [](const Point& p) { return 1 / p.cpu_seconds; },
+               points, [](const Point& p) { return 1 / p.samples; },
                [](const Point& p) { return p.mse; },
                [](const Point& p) { return 1 / (p.mse * p.mse); })
         .at_zero;

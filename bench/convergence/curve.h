@@ -28,7 +28,7 @@ struct Point {
 
 /// The power law fitted to points.
 struct Fit {
-    double slope = 0;  ///< of log MSE over log time: -1 for independent samples
+    double slope = 0;  ///< of log MSE over log time: -1 for independent samples of equal cost
     double floor = 0;  ///< MSE that remains for any time: bias, or noise of the reference
 };
 
@@ -54,8 +54,8 @@ struct ForeignCurve {
 };
 
 /// Fits the slope to the points from 4 samples on. The floor is what the last of them have above c
-/// / seconds, the slowest convergence of an unbiased image; 0 if they are not above. Returns
-/// nothing for fewer than three points.
+/// / samples, the slowest convergence of an unbiased image; 0 if they are not above. Over time,
+/// falling costs of a sample would hide a floor. Returns nothing for fewer than three points.
 std::optional<Fit> fit(const std::vector<Point>& points);
 
 }  // namespace etalon::convergence

@@ -33,6 +33,17 @@ TEST_CASE("Time to an error lies on the line between two points in their logarit
     CHECK_FALSE(time_to_relmse(curve(1, 5), 1.0 / 16).extrapolated);
 }
 
+TEST_CASE("A floor is found though the first samples cost more than the last") {
+    const auto fit_of = [](double floor) {
+        std::vector<Point> points;
+        for (const double n : {4, 8, 16, 32, 64}) points.push_back({n, 0.5 * n + 2, 1 / n + floor});
+        return fit(points);
+    };
+    CHECK(fit_of(0.01)->floor == Approx(0.01));
+    CHECK(fit_of(0)->floor == Approx(0).margin(1e-12));
+    CHECK(fit_of(0)->slope < -1);
+}
+
 TEST_CASE("Beyond the ends of a curve its error falls as 1 / time, and that is said") {
     for (const double relmse : {4.0, 1.0 / 64}) {
         const TimeToError time = time_to_relmse(curve(1, 5), relmse);
