@@ -8,10 +8,6 @@
 namespace etalon::convergence {
 namespace {
 
-bool has_error(const Point& p) {
-    return p.relmse > 0 && std::isfinite(p.relmse);
-}
-
 /// Returns the CPU seconds of the whole process at a point of a curve.
 double whole_seconds(const Curve& curve, const Point& p) {
     return curve.preparation + p.cpu_seconds;
@@ -51,6 +47,10 @@ CurveComparison compare(const Curve& own, const ForeignCurve& foreign) {
 }
 
 }  // namespace
+
+bool has_error(const Point& p) {
+    return p.relmse > 0 && std::isfinite(p.relmse);
+}
 
 TimeToError time_to_relmse(const Curve& curve, double relmse) {
     std::vector<Point> points;

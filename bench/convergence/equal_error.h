@@ -15,6 +15,9 @@ struct TimeToError {
     bool extrapolated = false;
 };
 
+/// Returns whether a time to the point's error exists: that is neither 0 nor infinite.
+bool has_error(const Point& p);
+
 /// Returns the time to a relMSE above 0: interpolated between the points of the curve, linearly in
 /// the logarithms of error and time, where the curve falls below it for the last time.
 TimeToError time_to_relmse(const Curve& curve, double relmse);

@@ -89,7 +89,7 @@ std::string csv_of(const CurveComparison& c) {
     return text;
 }
 
-/// Returns the lines of points that have no comparison.
+/// Returns the lines of points without a comparison.
 std::string csv_of(const std::string& name, const std::vector<Point>& points, double preparation) {
     std::string text;
     for (const Point& p : points) {
@@ -98,6 +98,18 @@ std::string csv_of(const std::string& name, const std::vector<Point>& points, do
         text += table::csv_line(fields);
     }
     return text;
+}
+
+/// Returns the lines of another program: its comparisons, then its points that have none.
+std::string csv_of(const ForeignCurve& foreign, const std::vector<CurveComparison>& comparisons) {
+    std::string text;
+    std::vector<Point> rest = foreign.points;
+    for (const CurveComparison& c : comparisons) {
+        if (c.program != foreign.program) continue;
+        text += csv_of(c);
+        std::erase_if(rest, has_error);
+    }
+    return text + csv_of(foreign.program, rest, 0);
 }
 
 }  // namespace
@@ -157,10 +169,7 @@ std::string csv_of(const std::vector<Curve>& own, const std::vector<ForeignCurve
                          "mean_difference_r", "mean_difference_g", "mean_difference_b",
                          "compared_with", "cpu_s_to_equal_relmse", "ratio", "extrapolated"});
     for (const Curve& curve : own) text += csv_of(curve.name, curve.points, curve.preparation);
-    if (comparisons.empty()) {
-        for (const ForeignCurve& curve : foreign) text += csv_of(curve.program, curve.points, 0);
-    }
-    for (const CurveComparison& c : comparisons) text += csv_of(c);
+    for (const ForeignCurve& curve : foreign) text += csv_of(curve, comparisons);
     return text;
 }
 

@@ -166,6 +166,19 @@ TEST_CASE("A table whose images are not those of the scene is refused", "[app]")
     CHECK(f.convergence("--foreign t.tsv --json - --csv -").status == 2);
 }
 
+TEST_CASE("The CSV of convergence has a line for images without an error, too", "[app]") {
+    const ForeignFolder f;
+    f.write("t.tsv",
+            "program\timage\tspp\tcpu_s\n"
+            "A\tfew.exr\t2\t5\nA\tball-256.exr\t256\t9\nperfect\tball-256.exr\t256\t7\n");
+    REQUIRE(f.convergence("--foreign t.tsv --csv c.csv").status == 0);
+    const std::string csv = f.read("c.csv");
+    CHECK_THAT(csv, ContainsSubstring("A,2,5,"));
+    CHECK_THAT(csv, ContainsSubstring("A,256,9,0,0,,"));
+    CHECK_THAT(csv, ContainsSubstring("perfect,256,7,0,0,,"));
+    CHECK(std::ranges::count(csv, '\n') == 1 + 5 + 3);
+}
+
 TEST_CASE("convergence keeps what is done when it is interrupted", "[app]") {
     const ForeignFolder f;
     f.write("t.tsv", "cpu_s\timage\n1\tfew.exr\n");
