@@ -129,9 +129,11 @@ int check_arguments(const SpeedArguments& a) {
     return status;
 }
 
-/// Writes the file after every scene, so that an interrupted run keeps its results.
-bool save(const SpeedArguments& a, const nlohmann::ordered_json& json, bool is_complete) {
-    if (a.json.empty() || (a.json == "-" && !is_complete)) return true;
+/// Writes the file after every scene, so that a run that ends in any way keeps its results. Until
+/// the last scene it says "error", for ends of which nothing more can be written.
+bool save(const SpeedArguments& a, nlohmann::ordered_json& json, bool is_last) {
+    json["stopped"] = is_last ? nlohmann::ordered_json() : nlohmann::ordered_json("error");
+    if (a.json.empty() || (a.json == "-" && !is_last)) return true;
     return write_json(a.json, json);
 }
 
@@ -140,7 +142,7 @@ void save_part(const SpeedArguments& a, nlohmann::ordered_json& json, const char
                const std::string& why) {
     json["stopped"] = stopped;
     write_table(a.json, why + "\n");
-    save(a, json, true);
+    if (!a.json.empty()) write_json(a.json, json);
 }
 
 int measure_speed(const SpeedArguments& a) {

@@ -54,6 +54,25 @@ TEST_CASE("An interrupted etalon-bench speed keeps its measurements", "[app]") {
     CHECK_FALSE(j["scenes"][0].contains("rays"));
 }
 
+TEST_CASE("The results of an etalon-bench that is killed say that they are not all", "[app]") {
+    const Folder f;
+    for (const std::string command :
+         {"speed --scene spheres:20,spheres:300000 --backends bvh --rays camera --repeat 100 "
+          "--oracle 0.02",
+          "frames spheres:20 spheres:300000 --width 100 --repeat 20",
+          "accuracy --case SPH-1 --backends bvh --rays 1e6"}) {
+        CAPTURE(command);
+        f.shell("rm -f part.json");
+        const auto r = interrupted(f, "etalon-bench " + command + " --json part.json",
+                                   "test -s part.json", "KILL");
+        CHECK(r.status == 137);
+        const json j = json::parse(f.read("part.json"));
+        CHECK(j["stopped"] == "error");
+        CHECK((j.contains("scenes") || !j.value("frames", json()).empty() ||
+               !j.value("rows", json()).empty()));
+    }
+}
+
 TEST_CASE("An interrupted etalon-bench accuracy gives the cases until then", "[app]") {
     const Folder f;
     const auto r = interrupted(f,
