@@ -18,12 +18,14 @@
 #include "bench/accuracy/report/remarks.h"
 #include "bench/bench_subcommands.h"
 #include "core/base/result.h"
+#include "core/render/deadline.h"
 
 namespace etalon {
 namespace {
 
 using accuracy::Row;
 using hard::HardCase;
+using Json = nlohmann::ordered_json;
 
 struct AccuracyArguments {
     std::vector<std::string> cases;
@@ -86,36 +88,13 @@ int list_cases(const std::vector<HardCase>& cases) {
     return exit_done;
 }
 
-/// Measures rows until a stop; the case that was interrupted may have fewer rays.
-std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardCase>& cases,
-                             const std::atomic<bool>& stop) {
-    std::vector<const Backend*> backends;
-    for (const std::string& name : a.backends) backends.push_back(find_backend(name));
-    accuracy::Budget budget;
-    budget.rays = static_cast<std::uint64_t>(a.rays);
-    budget.seconds = a.seconds;
-    budget.textbooks = !a.only_backends;
-    budget.stop = &stop;
-    std::vector<Row> all;
-    for (const HardCase& c : cases) {
-        if (stop) break;
-        print_message("etalon-bench: {}/{}\n", c.id, c.variant);
-        const std::vector<Row> rows = accuracy::measure(c, backends, budget);
-        if (rows.empty()) print_message("  none of the backends has kernels of its own for it\n");
-        write_table(a.json,
-                    accuracy::table_of(rows, a.detail(), all.empty() ? "" : all.back().shape));
-        all.insert(all.end(), rows.begin(), rows.end());
-    }
-    write_table(a.json, fmt::format("\n{}", accuracy::legend(a.detail())));
-    return all;
-}
-
 /// Returns whether a backend or kernel that is exact had an error.
 bool is_broken_promise(const Row& row) {
     return row.exact && row.stats.errors() > 0;
 }
 
-const std::string partial = "Stopped by a signal: not all cases and rays.\n";
+const std::string partial = "Stopped by a signal: not all cases and rays.\n",
+                  unfinished = "Unfinished: not all cases.\n";
 
 /// Writes a plot with remarks for each shape that was measured.
 bool write_plots(const std::string& folder, const std::vector<HardCase>& cases,
@@ -130,20 +109,69 @@ bool write_plots(const std::string& folder, const std::vector<HardCase>& cases,
     return written;
 }
 
+/// Writes the files; `stopped` is "signal" or "error" if rows are missing, or null.
 bool write_reports(const AccuracyArguments& a, const std::vector<HardCase>& cases,
-                   const std::vector<Row>& rows, bool stopped) {
-    using Json = nlohmann::ordered_json;
+                   const std::vector<Row>& rows, const Json& stopped) {
     bool written = true;
     if (!a.json.empty()) {
         Json json = accuracy::json(rows);
-        json["stopped"] = stopped ? Json("signal") : Json();
+        json["stopped"] = stopped;
         written &= write_json(a.json, json);
     }
     if (!a.markdown.empty()) {
-        const std::string mark = stopped ? partial + "\n" : "";
+        const std::string mark = stopped.is_null() ? "" : (stopped == "signal" ? partial : unfinished) + "\n";
         written &= write_text(a.markdown, mark + accuracy::markdown(rows));
     }
     return (a.plots.empty() || write_plots(a.plots, cases, rows)) && written;
+}
+
+/// Writes the rows so far after the first case and then now and then, since all cases take hours.
+class Keeper {
+  public:
+    Keeper(AccuracyArguments a, const std::vector<HardCase>& cases)
+        : arguments_(std::move(a)), cases_(cases) {
+        for (std::string* path : {&arguments_.json, &arguments_.markdown}) {
+            if (!is_replaceable(*path)) path->clear();
+        }
+    }
+
+    void keep(const std::vector<Row>& rows) {
+        if (pause_.is_limited() && !pause_.is_over()) return;
+        write_reports(arguments_, cases_, rows, "error");
+        pause_ = Deadline(seconds);
+    }
+
+  private:
+    static constexpr double seconds = 10;
+    AccuracyArguments arguments_;  ///< without what cannot be replaced
+    const std::vector<HardCase>& cases_;
+    Deadline pause_;
+};
+
+/// Measures rows until a stop; the case that was interrupted may have fewer rays.
+std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardCase>& cases,
+                             const std::atomic<bool>& stop) {
+    std::vector<const Backend*> backends;
+    for (const std::string& name : a.backends) backends.push_back(find_backend(name));
+    accuracy::Budget budget;
+    budget.rays = static_cast<std::uint64_t>(a.rays);
+    budget.seconds = a.seconds;
+    budget.textbooks = !a.only_backends;
+    budget.stop = &stop;
+    std::vector<Row> all;
+    Keeper keeper(a, cases);
+    for (const HardCase& c : cases) {
+        if (stop) break;
+        print_message("etalon-bench: {}/{}\n", c.id, c.variant);
+        const std::vector<Row> rows = accuracy::measure(c, backends, budget);
+        if (rows.empty()) print_message("  none of the backends has kernels of its own for it\n");
+        write_table(a.json,
+                    accuracy::table_of(rows, a.detail(), all.empty() ? "" : all.back().shape));
+        all.insert(all.end(), rows.begin(), rows.end());
+        keeper.keep(all);
+    }
+    write_table(a.json, fmt::format("\n{}", accuracy::legend(a.detail())));
+    return all;
 }
 
 int measure_accuracy(const AccuracyArguments& a) {
@@ -168,7 +196,7 @@ int measure_accuracy(const AccuracyArguments& a) {
         write_table(a.json,
                     fmt::format("{} rows with errors that none of them may have\n", broken));
     }
-    const bool written = write_reports(a, cases, rows, stopped);
+    const bool written = write_reports(a, cases, rows, stopped ? Json("signal") : Json());
     if (stopped) return exit_signal + signals.signal();
     if (!written) return exit_not_written;
     return broken > 0 ? exit_differs : exit_done;

@@ -1,6 +1,7 @@
 #include "app/common/output.h"
 
 #include <fmt/core.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include "app/common/program_facts.h"
 #include "app/common/started_rank.h"
 #include "core/base/link_target.h"
+#include "core/base/stream_to.h"
 #include "core/image/atomic_file.h"
 
 namespace etalon {
@@ -69,6 +71,13 @@ std::string check_writable(const std::string& path) {
     const fs::path target = link_target(path);
     const std::string error = check_folder(target.parent_path(), target.filename());
     return error.empty() ? "" : unwritable + error;
+}
+
+bool is_replaceable(const std::string& path) {
+    if (!is_named(path)) return false;
+    struct stat present = {};
+    if (::stat(path.c_str(), &present) != 0) return true;
+    return S_ISREG(present.st_mode) && stream_to(present) < 0;
 }
 
 std::string find_clash(const std::vector<std::string>& outputs,

@@ -11,6 +11,10 @@ namespace etalon {
 /// looks writable. Called before long work.
 std::string check_writable(const std::string& path);
 
+/// Returns whether results so far may be written to a path and replaced by others later: not where
+/// they go to standard output, a stream, a pipe or a device.
+bool is_replaceable(const std::string& path);
+
 /// Returns which file is given for two outputs, or for an output and an input; empty if none is.
 /// Devices may be both.
 std::string find_clash(const std::vector<std::string>& outputs,

@@ -36,7 +36,20 @@ int fail(int status, const std::string& message) {
     return status;
 }
 
-/// Measures the scenes until a stop or the first error, which it returns.
+/// Writes the file, if there is to be one; `stopped` is why the figures are incomplete, or null.
+bool write_file(const FramesArguments& a, const std::vector<frames::FrameFigures>& figures,
+                const Json& stopped) {
+    if (a.json.empty()) return true;
+    Json json = provenance();
+    json["repeats"] = a.config.repeats;
+    json["frames"] = Json::array();
+    for (const frames::FrameFigures& f : figures) json["frames"].push_back(json_of(f));
+    json["stopped"] = stopped;
+    return write_json(a.json, json);
+}
+
+/// Measures the scenes until a stop or the first error, which it returns. Writes the file after each
+/// scene, in case the next one exhausts the memory.
 std::string measure_all(const FramesArguments& a, std::vector<frames::FrameFigures>& figures) {
     for (const std::string& scene : a.scenes) {
         if (a.config.is_over()) break;
@@ -46,11 +59,13 @@ std::string measure_all(const FramesArguments& a, std::vector<frames::FrameFigur
             f.scene = std::filesystem::path(scene).stem().string();
             figures.push_back(std::move(f));
         }
+        const bool is_last = &scene == &a.scenes.back();
+        if (!is_last && is_replaceable(a.json)) write_file(a, figures, "error");
     }
     return {};
 }
 
-/// Writes the tables and the file; `stopped` is why they are incomplete, or null.
+/// Writes the tables and the file; `stopped` as for write_file().
 bool write_results(const FramesArguments& a, const std::vector<frames::FrameFigures>& figures,
                    const Json& stopped) {
     write_table(a.json, table_of(figures, a.detail()));
@@ -59,13 +74,7 @@ bool write_results(const FramesArguments& a, const std::vector<frames::FrameFigu
                     fmt::format("Stopped by {} {}: not all frames and repeats.\n",
                                 stopped == "error" ? "an" : "a", stopped.get<std::string>()));
     }
-    if (a.json.empty()) return true;
-    Json json = provenance();
-    json["repeats"] = a.config.repeats;
-    json["frames"] = Json::array();
-    for (const frames::FrameFigures& f : figures) json["frames"].push_back(json_of(f));
-    json["stopped"] = stopped;
-    return write_json(a.json, json);
+    return write_file(a, figures, stopped);
 }
 
 int measure_frames(FramesArguments a) {

@@ -133,7 +133,7 @@ int check_arguments(const SpeedArguments& a) {
 /// the last scene it says "error", for ends of which nothing more can be written.
 bool save(const SpeedArguments& a, nlohmann::ordered_json& json, bool is_last) {
     json["stopped"] = is_last ? nlohmann::ordered_json() : nlohmann::ordered_json("error");
-    if (a.json.empty() || (a.json == "-" && !is_last)) return true;
+    if (a.json.empty() || (!is_last && !is_replaceable(a.json))) return true;
     return write_json(a.json, json);
 }
 
