@@ -1,5 +1,6 @@
 #include "bench/report/data_files.h"
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -135,6 +136,13 @@ std::string csv_of(const Table& table) {
 bool write_data(const std::string& folder, const Results& results, const Page& page) {
     return write_json((std::filesystem::path(folder) / "data.json").string(),
                       data_of(results, page));
+}
+
+bool is_file_of_report(const std::string& name, const Page& page) {
+    if (name == "index.html" || name == "data.json") return true;
+    return name.ends_with(".csv") && std::ranges::any_of(page.sections, [&](const Section& section) {
+               return name.starts_with(section.id + '-');
+           });
 }
 
 bool write_tables(const std::string& folder, const Page& page) {

@@ -15,4 +15,8 @@ bool write_data(const std::string& folder, const Results& results, const Page& p
 /// The same for each table of the page, as SECTION-TITLE.csv (RFC 4180).
 bool write_tables(const std::string& folder, const Page& page);
 
+/// Returns whether a file in the report's folder has a name that the page, the data or a table of
+/// one of the page's sections may have.
+bool is_file_of_report(const std::string& name, const Page& page);
+
 }  // namespace etalon::bench_report

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <set>
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
@@ -121,6 +122,35 @@ class Report {
     std::size_t done_ = 0;
 };
 
+/// Returns the files that the settings name.
+std::set<std::string> inputs_of(const Settings& settings) {
+    std::set<std::string> files{settings.foreign_table};
+    for (const FrameRequest& frame : settings.frames) {
+        if (frame.origin == FrameOrigin::given) files.insert(frame.scene);
+    }
+    for (const ForeignRequest& request : settings.foreign) {
+        files.insert(request.scene);
+        for (const convergence::ForeignImage& image : request.images) {
+            files.insert({image.image, image.reference});
+        }
+    }
+    files.erase("");
+    return files;
+}
+
+/// Returns which input the report would replace; empty if none.
+std::string find_lost_input(const Settings& settings) {
+    const Page page = page_of(nothing_yet(settings));
+    const std::filesystem::path folder = settings.folder;
+    std::set<std::string> outputs{folder / "index.html", folder / "data.json"};
+    const std::set<std::string> inputs = inputs_of(settings);
+    for (const std::string& input : inputs) {
+        const std::filesystem::path name = std::filesystem::path(input).filename();
+        if (is_file_of_report(name, page)) outputs.insert(folder / name);
+    }
+    return find_clash({outputs.begin(), outputs.end()}, {inputs.begin(), inputs.end()});
+}
+
 int write_report(const ReportArguments& a) {
     Settings settings = a.quick ? quick_settings() : full_settings();
     settings.folder = a.folder;
@@ -133,6 +163,10 @@ int write_report(const ReportArguments& a) {
     if (!error.empty()) {
         print_message("{}\n", error);
         return exit_unusable;
+    }
+    if (error = find_lost_input(settings); !error.empty()) {
+        print_message("etalon-bench: error: {}\n", error);
+        return exit_usage;
     }
     std::error_code failure;
     std::filesystem::create_directories(a.folder, failure);

@@ -30,6 +30,26 @@ TEST_CASE("An output that is an input is refused, and the input stays", "[app]")
     CHECK(f.read("rays") == rays);
 }
 
+TEST_CASE("A report does not replace its scenes nor its table", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    f.shell("mkdir same");
+    const std::string table = "cpu_s\trelmse\tscene\n1\t0.1\t../ball.p3f\n";
+    for (const std::string input : {"index.html", "data.json", "speed-all.csv"}) {
+        for (const std::string what : {"", "--foreign "}) {
+            CAPTURE(input, what);
+            const std::string content = what.empty() ? small_scene : table;
+            f.write("same/" + input, content);
+            const auto r = f.shell("'" ETALON_BINARY_DIR "/bin/etalon-bench' report --quick " +
+                                   what + "same/" + input + " -o ./same");
+            CHECK(r.status == 2);
+            CHECK_THAT(r.err, ContainsSubstring(input + ": is an input, which would be lost"));
+            CHECK(f.read("same/" + input) == content);
+            f.shell("rm same/*");
+        }
+    }
+}
+
 TEST_CASE("A converted scene does not replace what it includes", "[app]") {
     const Folder f;
     f.write("ball.pbrt", "Shape \"sphere\"\n");
