@@ -50,6 +50,9 @@ struct ErrorStats {
     Distribution position;  ///< |P - true P| / size, for the P that shading uses
     Distribution shift;     ///< |spawned origin - P| / size
 
+    /// Returns the number of rays whose right answer is known.
+    std::uint64_t decided() const { return rays - undecidable; }
+
     /// Returns the sum of everything that must be zero for an exact tracer.
     std::uint64_t errors() const {
         return false_hits + false_misses + wrong_roots + wrong_primitives + leaks + self_hits +

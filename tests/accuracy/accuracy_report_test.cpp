@@ -140,6 +140,17 @@ TEST_CASE("Markdown has a heading for each shape and as many cells in every line
     CHECK(headings == 2);
 }
 
+TEST_CASE("Errors are a share of the rays that the oracle decides") {
+    ErrorStats stats;
+    CHECK(errors_per_million(stats) == 0);
+    stats.rays = 1000;
+    stats.undecidable = 600;
+    stats.false_hits = 1;
+    CHECK(errors_per_million(stats) == 2500);
+    stats.undecidable = stats.rays;
+    CHECK(errors_per_million(stats) == 0);
+}
+
 TEST_CASE("Markdown has one figure for the exact backends, and all of them where they differ") {
     std::vector<Row> rows{row("SPH-1", "sphere", "bvh", 0, 0, 0),
                           row("SPH-1", "sphere", "embree", 0, 0, 0)};

@@ -48,6 +48,14 @@ TEST_CASE("A ray of the hard cases is counted once, however many backends answer
     CHECK(float_errors.value == "56.0 %");  // (2 x 999,999 + 240,000) of 4,000,000
 }
 
+TEST_CASE("Rays that the oracle cannot decide are no hard rays of a report") {
+    Results results = sample_results();
+    for (accuracy::Row& row : results.rows.list) row.stats.undecidable = 250000;
+    const Page page = page_of(results);
+    CHECK_THAT(key_figure(page, "wrong answers", "exact").note, ContainsSubstring("3,000,000"));
+    CHECK(key_figure(page, "wrong answers", "embree-builtin").value == "74.7 %");
+}
+
 TEST_CASE("A report has a speed for each kind of scene, and what it lies between") {
     Results results = sample_results();
     speed::SceneFigures other = results.scenes.list.front();

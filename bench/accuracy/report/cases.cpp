@@ -42,8 +42,8 @@ bool is_textbook(std::string_view tracer) {
 }
 
 double errors_per_million(const ErrorStats& stats) {
-    if (stats.rays == 0) return 0;
-    return 1e6 * static_cast<double>(stats.errors()) / static_cast<double>(stats.rays);
+    if (stats.decided() == 0) return 0;
+    return 1e6 * static_cast<double>(stats.errors()) / static_cast<double>(stats.decided());
 }
 
 }  // namespace etalon::accuracy

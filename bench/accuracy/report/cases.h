@@ -31,7 +31,7 @@ inline constexpr std::string_view bare_kernel = "kernel";
 /// Returns whether a tracer of that name is one of textbook_tracers().
 bool is_textbook(std::string_view tracer);
 
-/// Returns the number of all errors, per million rays.
+/// Returns the number of all errors, per million decided rays.
 double errors_per_million(const ErrorStats& stats);
 
 }  // namespace etalon::accuracy

@@ -57,15 +57,16 @@ std::vector<Column> columns_for(const std::vector<std::string>& first,
 }
 
 Cell classification(const Row* row) {
-    if (row == nullptr || row->stats.rays == 0) return {"–"};
+    if (row == nullptr || row->stats.decided() == 0) return {"–"};
     const std::uint64_t errors = row->stats.errors();
     if (errors == 0) return {"pass", Mark::good};
     return {fmt::format("fail: {}", grouped(errors)), Mark::bad};
 }
 
+/// Returns the number of decided rays.
 std::uint64_t rays_of(const CaseRows& c) {
     std::uint64_t most = 0;
-    for (const Row* row : c.rows) most = std::max(most, row->stats.rays);
+    for (const Row* row : c.rows) most = std::max(most, row->stats.decided());
     return most;
 }
 
@@ -74,7 +75,7 @@ Cell passed(const std::vector<CaseRows>& cases, const std::string& tracer) {
     std::size_t tried = 0, right = 0;
     for (const CaseRows& c : cases) {
         const Row* row = find(c, tracer);
-        if (row == nullptr || row->stats.rays == 0) continue;
+        if (row == nullptr || row->stats.decided() == 0) continue;
         ++tried;
         right += row->stats.errors() == 0;
     }
@@ -117,7 +118,7 @@ Section hard_cases_section(const Results& results) {
         "Constructions on which ray tracers fail: silhouettes, edges, tips, grazing rays, objects "
         "far away, tiny objects, and surfaces that a ray has just left. Random rays rarely find "
         "such errors; all rays here are aimed. A case is passed if all its rays are answered "
-        "correctly; no error in N rays bounds the error rate by 3 / N (95 % confidence)."};
+        "correctly. Rays that even the oracle cannot decide are not counted; no error in N rays bounds the error rate by 3 / N (95 % confidence)."};
     const std::vector<Row>& rows = results.rows.list;
     if (rows.empty()) return section;
     const std::string command = accuracy_command(results.settings);

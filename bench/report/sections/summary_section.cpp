@@ -55,13 +55,14 @@ void add_builds(const std::vector<SceneFigures>& scenes, std::vector<KeyFigure>&
                      count_of(ratios.size(), "scene"), three_digits(geometric_mean(sizes)))});
 }
 
-/// Wrong answers of a group of tracers. A ray is counted once, however many tracers it is given to.
+/// Wrong answers of a group of tracers to decided rays. A ray is counted once, however many tracers
+/// it is given to.
 struct WrongAnswers {
     void add(const accuracy::CaseRows& c, const std::function<bool(const accuracy::Row&)>& counts) {
         std::uint64_t most_rays = 0, most_errors = 0;
         for (const accuracy::Row* row : c.rows) {
             if (!counts(*row)) continue;
-            most_rays = std::max(most_rays, row->stats.rays);
+            most_rays = std::max(most_rays, row->stats.decided());
             most_errors = std::max(most_errors, row->stats.errors());
         }
         rays += most_rays;
