@@ -154,10 +154,23 @@ class Measurement {
             if (unit == 0 && !e.refined) unit = ns;
             rows.push_back({case_.id, case_.variant, case_.shape,
                             criteria[static_cast<int>(case_.criterion)], e.tracer->name(), e.exact,
-                            results_[k].stats, ns, 0, partial_});
+                            results_[k].stats, ns});
         }
-        for (Row& row : rows) row.cost = unit > 0 ? row.nanoseconds / unit : 0;
+        const std::uint64_t all = planned_rays();
+        for (Row& row : rows) {
+            row.cost = unit > 0 ? row.nanoseconds / unit : 0;
+            row.partial = partial_ || row.stats.rays < all;
+        }
         return rows;
+    }
+
+    /// Returns the number of rays that a tracer gets which tests few primitives. Of spawned rays
+    /// only as many are known as there were hits to leave.
+    std::uint64_t planned_rays() const {
+        if (case_.criterion != hard::Criterion::spawned) return budget_.rays;
+        std::uint64_t most = 0;
+        for (const TracerResult& result : results_) most = std::max(most, result.stats.rays);
+        return most;
     }
 
     const hard::HardCase& case_;
@@ -169,7 +182,7 @@ class Measurement {
     const TimedTracers tracers_;
     std::unique_ptr<Tracer> spawner_;  ///< only for spawned rays
     std::mutex mutex_;
-    std::atomic<bool> partial_ = false;  ///< blocks were left out
+    std::atomic<bool> partial_ = false;  ///< blocks were left out, for all tracers
     std::vector<TracerResult> results_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "bench/accuracy/report/accuracy_json.h"
 #include "bench/accuracy/report/accuracy_table.h"
+#include "bench/accuracy/report/cases.h"
 #include "bench/accuracy/report/markdown.h"
 #include "bench/accuracy/report/numbers.h"
 #include "tests/accuracy/report_rows.h"
@@ -138,6 +139,15 @@ TEST_CASE("Markdown has a heading for each shape and as many cells in every line
         if (line.starts_with("|")) CHECK(split(line, '|').size() == cells);
     }
     CHECK(headings == 2);
+}
+
+TEST_CASE("Markdown has the number of rays of the tracers that were given most") {
+    std::vector<Row> rows{row("TRI-3", "scene", "none", 0, 0, 0),
+                          row("TRI-3", "scene", "bvh", 0, 0, 0)};
+    rows[0].stats.rays = 1000;
+    rows[1].stats.rays = 60000;
+    rows[1].stats.undecidable = 70;
+    CHECK_THAT(markdown(rows), ContainsSubstring("| 60000 | 70 | 0 in 2 backends |"));
 }
 
 TEST_CASE("Errors are a share of the rays that the oracle decides") {

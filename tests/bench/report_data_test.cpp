@@ -145,6 +145,27 @@ TEST_CASE("Each table of a report is a CSV file, with what CSV takes for its own
     CHECK_THAT(csv, ContainsSubstring("processor,\"<b>\"\"a\"\" & b</b>\"\r\n"));
 }
 
+TEST_CASE("A tracer that gets fewer rays of a case than asked for has a partial row") {
+    accuracy::Budget budget;
+    budget.rays = 3 << 12;
+    budget.tests = 1;
+    budget.textbooks = false;
+    const auto rows = accuracy::measure(hard::sphere_cases().front(),
+                                        {find_backend("none"), find_backend("bvh")}, budget);
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].stats.rays < budget.rays);
+    CHECK(rows[0].partial);
+    CHECK_FALSE(rows[1].partial);
+    for (const hard::HardCase& c : hard::hard_cases()) {
+        if (c.id != "SPN-4") continue;
+        for (const accuracy::Row& row : accuracy::measure(c, {find_backend("bvh")}, budget)) {
+            CHECK(row.stats.rays < budget.rays);  // not all meet a surface to leave
+            CHECK_FALSE(row.partial);
+        }
+        break;
+    }
+}
+
 TEST_CASE("Embree's own kernels take part in the cases of shapes that Embree has") {
     accuracy::Budget budget;
     budget.rays = 64;

@@ -14,6 +14,10 @@ const Row* CaseRows::find(std::string_view tracer) const {
     return row == rows.end() ? nullptr : *row;
 }
 
+const Row& CaseRows::fullest() const {
+    return **std::ranges::max_element(rows, {}, [](const Row* row) { return row->stats.rays; });
+}
+
 std::vector<std::string> shapes_of(const std::vector<Row>& rows) {
     std::vector<std::string> shapes;
     for (const Row& row : rows) {

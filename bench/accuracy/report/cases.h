@@ -17,6 +17,9 @@ struct CaseRows {
     /// Returns the tracer's row, or nullptr if it was not measured.
     const Row* find(std::string_view tracer) const;
 
+    /// Returns the first row with the most rays: some tracers are given fewer.
+    const Row& fullest() const;
+
     std::string id, variant, criterion;
     std::vector<const Row*> rows;
 };

@@ -25,7 +25,7 @@ const Row* first_textbook(const CaseRows& c) {
 }
 
 std::string rays(const CaseRows& c) {
-    return brief_count(c.rows.front()->stats.rays);
+    return brief_count(c.fullest().stats.rays);
 }
 
 /// Returns "0 in 4 backends", or the errors of each if they differ, which would be a defect.
@@ -44,7 +44,7 @@ std::string exact_errors(const CaseRows& c) {
 }
 
 std::string undecidable(const CaseRows& c) {
-    return brief_count(c.rows.front()->stats.undecidable);
+    return brief_count(c.fullest().stats.undecidable);
 }
 
 /// Returns the errors of the kernel alone or, if it was not measured, of an exact backend.

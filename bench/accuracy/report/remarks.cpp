@@ -20,7 +20,7 @@ constexpr double usual_condition = 4;
 void add_partial(const std::vector<CaseRows>& measured, std::size_t cases,
                  std::vector<std::string>& remarks) {
     const auto cut =
-        std::ranges::count_if(measured, [](const CaseRows& c) { return c.rows.front()->partial; });
+        std::ranges::count_if(measured, [](const CaseRows& c) { return c.fullest().partial; });
     if (cut == 0 && measured.size() >= cases) return;
     remarks.push_back(
         fmt::format("Partial: {} of {} cases were measured, {} of them with fewer "
