@@ -2,33 +2,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace etalon::accuracy {
 
-/// Bucket 0 is for zero; bucket b > 0 ends at 2^(b / steps - octaves / 2), inclusive.
 void Distribution::add(double value) {
-    const double place = (std::log2(value) + octaves / 2) * steps;
-    const double last = octaves * steps;
-    const double bucket = value > 0 ? std::clamp(std::ceil(place), 1.0, last) : 0;
-    ++buckets_[static_cast<std::size_t>(bucket)];
+    constexpr double last = steps * std::numeric_limits<double>::max_exponent;  // of infinities
+    if (value > 0) {
+        ++buckets_[static_cast<int>(std::min(std::ceil(std::log2(value) * steps), last))];
+    } else {
+        ++zeros_;
+    }
     ++count_;
     max_ = std::max(max_, value);
 }
 
 Distribution& Distribution::operator+=(const Distribution& other) {
-    for (std::size_t b = 0; b < buckets_.size(); ++b) buckets_[b] += other.buckets_[b];
+    for (const auto& [bucket, count] : other.buckets_) buckets_[bucket] += count;
     count_ += other.count_;
+    zeros_ += other.zeros_;
     max_ = std::max(max_, other.max_);
     return *this;
 }
 
 double Distribution::quantile(double q) const {
     const double wanted = q * static_cast<double>(count_);
-    std::uint64_t passed = buckets_[0];
-    std::size_t b = 0;
-    while (static_cast<double>(passed) < wanted && b + 1 < buckets_.size()) passed += buckets_[++b];
-    if (b == 0) return 0;
-    return std::min(max_, std::exp2(static_cast<double>(b) / steps - octaves / 2));
+    std::uint64_t passed = zeros_;
+    if (static_cast<double>(passed) >= wanted) return 0;
+    for (const auto& [bucket, count] : buckets_) {
+        passed += count;
+        if (static_cast<double>(passed) >= wanted) {
+            return std::min(max_, std::exp2(static_cast<double>(bucket) / steps));
+        }
+    }
+    return max_;
 }
 
 ErrorStats& ErrorStats::operator+=(const ErrorStats& other) {

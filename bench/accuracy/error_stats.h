@@ -1,15 +1,16 @@
 // Errors of a tracer on a hard case.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace etalon::accuracy {
 
 /// Histogram of non-negative values in buckets a sixteenth of an octave wide, with the exact
-/// maximum. It gives quantiles of any number of values in constant space.
+/// maximum. It gives quantiles of any number of values in the space of a few hundred, since those
+/// of a case lie in few octaves.
 class Distribution {
   public:
     void add(double value);
@@ -21,9 +22,9 @@ class Distribution {
     std::uint64_t count() const { return count_; }
 
   private:
-    static constexpr int octaves = 128, steps = 16;
-    std::array<std::uint64_t, octaves * steps + 1> buckets_{};
-    std::uint64_t count_ = 0;
+    static constexpr int steps = 16;
+    std::map<int, std::uint64_t> buckets_;  ///< b holds the values up to 2^(b / steps)
+    std::uint64_t count_ = 0, zeros_ = 0;
     double max_ = 0;
 };
 
