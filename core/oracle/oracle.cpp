@@ -7,6 +7,7 @@
 #include "core/intersect/rescaled_ray.h"
 #include "core/numerics/ulp.h"
 #include "core/oracle/definitions.h"
+#include "core/oracle/enclosure.h"
 
 namespace etalon {
 namespace {
@@ -136,7 +137,7 @@ double OracleAnswer::root_limit(const Ray& ray, double size) const {
 Oracle::Oracle(const Geometry& geometry) : geometry_(geometry) {
     const Box3 everywhere(Vec3(-infinity), Vec3(infinity));
     for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
-        const Box3 box = primitive_bounds(geometry, id);
+        const Box3 box = enclosure(geometry, id);
         const bool finite = !box.isEmpty() && is_finite(box.min) && is_finite(box.max);
         boxes_.push_back(finite ? box : everywhere);
         whole_.extendBy(boxes_.back());

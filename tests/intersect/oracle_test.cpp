@@ -2,6 +2,7 @@
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/placement.h"
+#include "core/oracle/enclosure.h"
 #include "core/oracle/tracked.h"
 #include "tests/catch.h"
 #include "tests/intersect/rays_at_shapes.h"
@@ -74,6 +75,53 @@ TEST_CASE("Oracle: given simple scenes, then the answers are known") {
     REQUIRE(oracle.closest({{0, 0, -3}, {0, 0, 1}, 2.1, 9}).t == 4);
     REQUIRE(oracle.closest({{0, 0, -3}, {0, 0, 0}}).kind == OracleAnswer::miss);
     REQUIRE(oracle.closest({{0, 0, -3}, {0, 0, nan_value}}).kind == OracleAnswer::miss);
+}
+
+TEST_CASE("Oracle: given a sector whose directions are short, then it and the kernel find it whole") {
+    Scene scene;
+    Profile sphere;
+    sphere.squares = {1, 0, -1};
+    sphere.low = -1;
+    sphere.high = 1;
+    const Affine map{{1, 1, 0}, {-1, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+    scene.geometry.add(Revolved(map, sphere, Sector(90, {{0, -0.25}, {0, 0}})), 0);
+    const Oracle oracle(scene.geometry);
+    for (const Ray& ray : {Ray{{5, 0.9, 0.05}, {-1, 0, 0.01}}, Ray{{0.95, 0.9, 3}, {0, 0, -1}}}) {
+        const double t = primitive_first_hit(scene.geometry, 0, RayQuery(ray));
+        CHECK(t < 5);
+        CHECK(oracle.closest(ray).t == Approx(t));
+        const Vec3 p = ray.origin + t * ray.direction;
+        CHECK(primitive_bounds(scene.geometry, 0).intersects(p));
+    }
+}
+
+TEST_CASE("Oracle: its boxes around shapes of every kind enclose those of the accelerators") {
+    Scene scene = mixed_scene(20);
+    Random random(21);
+    Profile profile;
+    profile.squares = {2, -0.5, 0.25};
+    profile.low = -1;
+    profile.high = 2;
+    for (int i = 0; i < 20; ++i) {
+        const Affine map{random.in_cube(), random.in_cube(), random.in_cube(), random.in_cube()};
+        scene.geometry.add(Ellipsoid(map), 0);
+        scene.geometry.add(ClosedCylinder(map), 0);
+        scene.geometry.add(Revolved(map, profile, Sector(30 + 10 * i)), 0);
+    }
+    const std::uint32_t a = scene.geometry.add_compact_vertex({0.1, 0.2, -0.3}),
+                        b = scene.geometry.add_compact_vertex({1.5, 0, 0.25}),
+                        c = scene.geometry.add_compact_vertex({-1, 2.5, 0.7});
+    REQUIRE(scene.geometry.decimal_vertices.size() == 3);
+    scene.geometry.add(Triangle{{a, b, c}}, 0);
+    const Geometry& g = scene.geometry;
+    for (std::uint32_t id = 0; id < g.primitives.size(); ++id) {
+        const Box3 box = enclosure(g, id), tight = primitive_bounds(g, id);
+        CAPTURE(id);
+        for (int k = 0; k < 3; ++k) {
+            CHECK(box.min[k] <= tight.min[k] + 1e-12);
+            CHECK(box.max[k] >= tight.max[k] - 1e-12);
+        }
+    }
 }
 
 TEST_CASE(

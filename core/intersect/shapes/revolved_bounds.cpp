@@ -94,7 +94,7 @@ double reach(const Profile& p, double across, double up) {
     return reach_of_pieces(p, across, up);
 }
 
-/// Returns the largest component along (x, y) of the sector's unit vectors. The sector must not
+/// Returns the largest component along (x, y) of unit vectors in the sector. The sector must not
 /// turn.
 double reach(const Sector& sector, double x, double y) {
     const TurningDirection &from = sector.from, &to = sector.to;
@@ -102,7 +102,10 @@ double reach(const Sector& sector, double x, double y) {
     if (sector.is_whole) return length;
     const bool after = from.at.x * y - from.at.y * x >= 0, before = x * to.at.y - y * to.at.x >= 0;
     if (sector.is_convex ? after && before : after || before) return length;
-    return std::max(x * from.at.x + y * from.at.y, x * to.at.x + y * to.at.y);
+    const auto along = [&](const Vec2& at) {
+        return (x * at.x + y * at.y) / std::hypot(at.x, at.y);
+    };
+    return std::max(along(from.at), along(to.at));
 }
 
 /// The angles of a sector over a range of heights, from `begin` on. A direction
