@@ -6,7 +6,7 @@ source "$(dirname "$0")/installed.sh"
 # A skybox of Radiance files, which OpenImageIO alone reads: the module must be found beside the
 # programs.
 check_render() {
-    local face
+    local face status=0
     mkdir faces
     for face in right left top bottom front back; do
         printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x40\x80\xc0\x80' >"faces/$face.hdr"
@@ -22,17 +22,20 @@ check_render() {
     etalon render "$prefix/share/etalon/scenes/showcase.p3f" -q --strict --spp 0 --resolution 8x6 \
         -o showcase.png
     # The report renders the shipped scenes from there, among the first things.
-    timeout -s INT 3 etalon-bench report --quick -o report >/dev/null 2>log || true
+    timeout -s INT 3 etalon-bench report --quick -o report >/dev/null 2>log || status=$?
+    ((status == 124)) || fail "the report ended early, with status $status: $(cat log)"
     if grep 'scenes/' log; then fail "the report does not find the scenes that come with it"; fi
 }
 
 # check_page NAME COMMAND...: the page NAME.1 against the help of the command.
 check_page() {
-    local page=$prefix/share/man/man1/$1.1 option
+    local page=$prefix/share/man/man1/$1.1 option count=0
     [[ -s $page ]] || fail "no manual page $1.1"
     while read -r option; do
         grep -qF -- "\\fB${option//-/\\-}\\fR" "$page" || fail "$1.1: nothing about $option"
+        count=$((count + 1))
     done < <("${@:2}" --help | grep -oE '^  (-[a-zA-Z], )?--[a-z-]+' | grep -oE -- '-.*' | tr -s ', ' '\n')
+    ((count)) || fail "${*:2} --help: no options found"
     if command -v groff >/dev/null; then
         [[ -z $(groff -man -ww -z "$page" 2>&1) ]] || fail "$1.1: $(groff -man -ww -z "$page" 2>&1)"
     fi
