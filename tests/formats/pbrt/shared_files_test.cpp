@@ -34,8 +34,11 @@ bool is_known(const std::string& path, const Diagnostic& d) {
 
 }  // namespace
 
-TEST_CASE("public scenes are read without a complaint that they do not deserve") {
-    for (const std::string& path : pbrt_files()) {
+TEST_CASE("public scenes are read without a complaint that they do not deserve",
+          "[needs_shared_scenes]") {
+    const std::vector<std::string> paths = pbrt_files();
+    SKIP_UNLESS(!paths.empty(), "no scenes in " << shared_scenes_folder() / "pbrt");
+    for (const std::string& path : paths) {
         if (std::filesystem::path(path).parent_path().filename() == "geometry") continue;
         CAPTURE(path);
         const FileText text = read_file(path);
@@ -51,8 +54,10 @@ TEST_CASE("public scenes are read without a complaint that they do not deserve")
     }
 }
 
-TEST_CASE("public scenes are the same when written and read again") {
-    for (const std::string& path : pbrt_files()) {
+TEST_CASE("public scenes are the same when written and read again", "[needs_shared_scenes]") {
+    const std::vector<std::string> paths = pbrt_files();
+    SKIP_UNLESS(!paths.empty(), "no scenes in " << shared_scenes_folder() / "pbrt");
+    for (const std::string& path : paths) {
         CAPTURE(path);
         const FileText text = read_file(path);
         const ParsedFile file = parse(text.text(), path);
