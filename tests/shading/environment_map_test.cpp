@@ -34,6 +34,60 @@ Environment skybox_in(const TemporaryFolder& folder, const std::string& extensio
     return environment;
 }
 
+/// Number of texels along a side of a small face.
+constexpr int small_size = 4;
+
+Color texel(std::size_t face, int column, int row) {
+    return Color(static_cast<float>(face), static_cast<float>(column), static_cast<float>(row));
+}
+
+/// Returns a skybox of small faces, each texel of which has a colour of its own.
+Environment skybox_of_texels(const TemporaryFolder& folder) {
+    Environment environment{background, Skybox{}};
+    const Imath::Box2i window({0, 0}, {small_size - 1, small_size - 1});
+    for (std::size_t k = 0; k < towards.size(); ++k) {
+        RenderedImage image{small_size, small_size, window, {}, false, {}};
+        for (int i = 0; i < small_size * small_size; ++i) {
+            image.pixels.push_back(texel(k, i % small_size, i / small_size));
+        }
+        const std::string path = folder / (std::to_string(k) + ".exr");
+        REQUIRE(write_image(path, image) == "");
+        environment.skybox->faces[k] = path;
+    }
+    return environment;
+}
+
+/// Returns where the centre of a small face's texel looks, as scenes/skybox/make.py draws it: s to
+/// the right and t upwards, seen from inside. +X is on the left.
+Vec3 towards_texel(std::size_t face, int column, int row) {
+    const double s = (2 * column + 1.0) / small_size - 1, t = 1 - (2 * row + 1.0) / small_size;
+    const std::array<Vec3, 6> directions = {Vec3(-1, t, -s), Vec3(1, t, s),  Vec3(-s, 1, -t),
+                                            Vec3(-s, -1, t), Vec3(-s, t, 1), Vec3(s, t, -1)};
+    return directions[face];
+}
+
+/// Checks which texel's colour is seen towards the centre of each: that of columns[column],
+/// rows[row].
+void check_texels(bool nearest, const std::array<int, small_size>& columns,
+                  const std::array<int, small_size>& rows) {
+    const TemporaryFolder folder;
+    Environment environment = skybox_of_texels(folder);
+    environment.skybox->nearest = nearest;
+    std::vector<std::string> problems;
+    const EnvironmentMap map(environment, problems);
+    REQUIRE(problems.empty());
+    for (std::size_t k = 0; k < towards.size(); ++k) {
+        for (int row = 0; row < small_size; ++row) {
+            for (int column = 0; column < small_size; ++column) {
+                CAPTURE(k, column, row);
+                const Color seen = map.radiance(towards_texel(k, column, row)),
+                            expected = texel(k, columns[column], rows[row]);
+                for (int c = 0; c < 3; ++c) CHECK(seen[c] == Approx(expected[c]).margin(1e-5));
+            }
+        }
+    }
+}
+
 /// Keeps a file's header and loses its pixels.
 void cut(const std::string& path) {
     const std::string content = content_of(path);
@@ -54,6 +108,15 @@ TEST_CASE("a face is read when a ray first hits it") {
     CHECK(map.late_problems().empty());
     CHECK(map.radiance(towards[2]) == background);
     CHECK(map.late_problems().size() == 1);
+}
+
+TEST_CASE("each texel of each face is seen where it is drawn") {
+    check_texels(false, {0, 1, 2, 3}, {0, 1, 2, 3});
+}
+
+TEST_CASE("the old programs' texel is the one before (size - 1) s and (size - 1) t") {
+    // 3 (k + 1/2) / 4, rounded down: from the left, and from the lower edge.
+    check_texels(true, {0, 1, 1, 2}, {1, 2, 2, 3});
 }
 
 TEST_CASE("threads that hit a face at the same time use the same image") {
