@@ -15,6 +15,17 @@ TEST_CASE("At normal incidence the reflectance is ((n-1)/(n+1))^2", "[shading]")
     }
 }
 
+TEST_CASE("Schlick's reflectance is r0 + (1 - r0) (1 - c)^5, c in the thinner medium",
+          "[shading]") {
+    // r0 of an index of 1.5 is 0.04: 0.04 + 0.96 / 32 is 0.07, on both sides of the border.
+    CHECK(fresnel_schlick(1 / 1.5, 0.5).reflectance == Approx(0.07));
+    const double inside = std::sqrt(1 - 0.75 / 2.25);
+    CHECK(fresnel_schlick(1.5, inside).reflectance == Approx(0.07));
+    CHECK(fresnel_schlick(1.5, inside).cos_refracted == Approx(0.5));
+    CHECK(fresnel_schlick(1 / 1.5, 0.0).reflectance == Approx(1));
+    CHECK(fresnel_schlick(1.5, 0.7).total);
+}
+
 TEST_CASE("The reflectance is the same from both sides of a border", "[shading]") {
     const double eta = 1 / 1.5;
     for (double cosine = 0.05; cosine < 1; cosine += 0.05) {
