@@ -4,8 +4,9 @@
 # the numbers of rays. Two programs render the same pixels if their lists do not differ.
 #
 # Backends (default: the exact ones) are held to each other: exit status 1 if they disagree on a
-# scene or one of them fails. The brute force backend, none, takes part at a size that keeps the
-# number of its tests bounded; where this is small, the others render a larger image as well.
+# scene or one of them fails, or if a folder holds no scene. The brute force backend, none, takes
+# part at a size that keeps the number of its tests bounded; where this is small, the others render
+# a larger image as well.
 set -uo pipefail
 export LC_ALL=C
 
@@ -18,7 +19,7 @@ usage() {
     exit 2
 }
 
-backends=(none grid bvh embree)
+backends=(none grid bvh embree embree-user)
 while getopts b: option; do
     case $option in
         b) IFS=, read -ra backends <<<"$OPTARG" ;;
@@ -87,12 +88,10 @@ ray_counts() {
     sed -n '/"rays": {/,/}/p' "$1" | tr -d ' \n"' | sed 's/^rays:{//; s/},*$//'
 }
 
-# result_of SCENE SIZE BACKEND: hash and rays, by the integrator that the scene's format is made for.
+# result_of SCENE SIZE BACKEND: hash and rays, by the scene's own integrator.
 result_of() {
-    local integrator=whitted
-    [[ $1 != *.pbrt ]] || integrator=path
     rm -f "$scratch"/image.exr "$scratch"/stats.json
-    "$program" render "$1" --resolution "$2" --spp "$spp" --backend "$3" --integrator "$integrator" \
+    "$program" render "$1" --resolution "$2" --spp "$spp" --backend "$3" \
         --threads 1 --quiet --display-values -o "$scratch/image.exr" --stats "$scratch/stats.json" \
         >/dev/null 2>"$scratch/errors" || {
         echo "failed: $(head -1 "$scratch/errors")"
@@ -126,7 +125,7 @@ hash_scene() {
     }
     samples=$((spp > 0 ? spp : 1))
     large=$(size_for $((max_samples / samples)))
-    small=$(size_for $((max_tests / (primitives * samples))))
+    small=$(size_for $((max_tests / ((primitives > 0 ? primitives : 1) * samples))))
     ((primitives * max_samples > max_tests)) || small=$large
     compare_backends "$1" "$2" "$small" "${backends[@]}"
     [[ $small != "$large" ]] || return
@@ -140,9 +139,16 @@ is_scene() {
 }
 
 for folder; do
+    found=0
     while read -r scene; do
-        ! is_scene "$scene" || hash_scene "${scene#"$folder"/}" "$scene"
+        is_scene "$scene" || continue
+        hash_scene "${scene#"$folder"/}" "$scene"
+        found=1
     done < <(find "$folder" -type f \
         \( -name '*.p3f' -o -name '*.nff' -o -name '*.prt' -o -name '*.sce' -o -name '*.pbrt' \) | sort)
+    ((found)) || {
+        echo "$folder: no scene" >&2
+        status=1
+    }
 done
 exit "$status"
