@@ -216,3 +216,33 @@ TEST_CASE("A projection has its image's aspect, and its first row at the least y
     CHECK(lit(1.01, 0) == Color(0));
     CHECK(lit(0, 0.51) == Color(0));
 }
+
+TEST_CASE("A goniometric light's rows are the angles from its y, its columns those from x to z",
+          "[light]") {
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "lamp.exr";
+    RenderedImage image{8, 4, {{0, 0}, {7, 3}}, {}, false, {}};
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 8; ++column) image.pixels.emplace_back(Vec3(column, row, 1));
+    }
+    REQUIRE(write_image(file, image).empty());
+    Scene scene = lit_scene(0);
+    // The light's x, y and z are the world's z, x and y.
+    const Affine to_light{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 0, 0}};
+    const Vec3 position(1, -2, 3);
+    scene.physical().lights = {GoniometricSource{position, Color(2), file, to_light}};
+    std::vector<std::string> problems;
+    const Lights lights(scene, problems);
+    CHECK(problems.empty());
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 8; ++column) {
+            CAPTURE(row, column);
+            const double theta = pi * (row + 0.5) / 4, phi = 2 * pi * (column + 0.5) / 8;
+            const double x = std::sin(theta) * std::cos(phi), y = std::cos(theta),
+                         z = std::sin(theta) * std::sin(phi);
+            const LightSample s = lights.sample(0, position + 2.0 * Vec3(y, z, x), {});
+            const Color expected(static_cast<float>(column), static_cast<float>(row), 1);
+            CHECK((s.radiance * 2.0F - expected).length() < 1e-3F);  // intensity 2, distance 2
+        }
+    }
+}
