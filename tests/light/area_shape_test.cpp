@@ -73,6 +73,65 @@ TEST_CASE("A small or distant triangle is sampled by its area", "[light]") {
     CHECK_THAT(mean_of_reciprocal_density(small, Vec3(0, 0, 10)), WithinRel(5e-7 / 100, 1e-5));
 }
 
+namespace {
+
+/// A trapezium of area 6 in the plane z = 1; its diagonal from a to c leaves 4 and 2.
+const Vec3 corner_a(-2, -1, 1), corner_b(2, -1, 1), corner_c(1, 1, 1), corner_d(-1, 1, 1);
+
+/// Returns which share of the samples is in the first triangle, a b c.
+double share_of_first(const TwoTrianglesArea& both, const Vec3& from) {
+    const Vec3 border = (corner_a - from).cross(corner_c - from);
+    const ScrambledSobol points(3);
+    int in_first = 0;
+    for (std::uint32_t i = 0; i < samples; ++i) {
+        const Vec3 d = both.sample(from, points(i)).position - from;
+        in_first += border.dot(d) * border.dot(corner_b - from) > 0;
+    }
+    return in_first / double{samples};
+}
+
+}  // namespace
+
+TEST_CASE("Two triangles of a plane are sampled like one shape", "[light]") {
+    // A side of a cube from its centre: a sixth of all directions.
+    const TwoTrianglesArea side({-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1});
+    CHECK_THAT(mean_of_reciprocal_density(side, Vec3(0)), WithinRel(4 * pi / 6, 1e-12));
+    check_densities(side, Vec3(0));
+    const TwoTrianglesArea both(corner_a, corner_b, corner_c, corner_d);
+    CHECK_THAT(both.area(), WithinRel(6.0, 1e-12));
+    // Solid angles by van Oosterom and Strackee: both, and the first one's share.
+    const Vec3 oblique(0.5, -0.8, 0.5), far(0.3, -0.4, -20);
+    CHECK_THAT(mean_of_reciprocal_density(both, oblique), WithinRel(2.9907886086, 1e-9));
+    CHECK_THAT(share_of_first(both, oblique), WithinRel(0.9410714638, 5e-3));
+    check_densities(both, oblique);
+    // From afar by their area, of which the first has two thirds.
+    CHECK_THAT(mean_of_reciprocal_density(both, far), WithinRel(0.0135443612, 1e-3));
+    CHECK_THAT(share_of_first(both, far), WithinRel(2.0 / 3, 5e-3));
+    check_densities(both, far);
+}
+
+TEST_CASE("Neighbouring triangles of one plane and one material are a quadrilateral", "[light]") {
+    Geometry g;
+    for (const Vec3& corner :
+         {Vec3(0), Vec3(2, 0, 0), Vec3(3, 1, 0), Vec3(0, 1, 0), Vec3(0, 1, 0.1)}) {
+        g.add_vertex(corner);
+    }
+    for (const Triangle& t : {Triangle{{0, 1, 2}}, Triangle{{0, 2, 3}},     // 0
+                              Triangle{{1, 2, 0}}, Triangle{{3, 0, 2}},     // 2: begun elsewhere
+                              Triangle{{0, 1, 2}}, Triangle{{0, 2, 4}},     // 4: bent
+                              Triangle{{0, 1, 2}}, Triangle{{0, 3, 2}}}) {  // 6: turned over
+        g.add(t, 0);
+    }
+    g.add(Triangle{{0, 1, 2}}, 0);  // 8: of another material
+    g.add(Triangle{{0, 2, 3}}, 1);
+    for (const std::uint32_t first : {0, 2}) {
+        const auto both = quadrilateral(g, first);
+        REQUIRE(both);
+        CHECK_THAT(both->area(), WithinRel(2.5, 1e-12));
+    }
+    for (const std::uint32_t first : {4, 6, 8, 9}) CHECK_FALSE(quadrilateral(g, first));
+}
+
 TEST_CASE("A sphere is sampled by the cone in which it is seen", "[light]") {
     for (const double distance : {1.0001, 2.0, 1e3, 1e7}) {
         const SphereArea sphere(Sphere{Vec3(1, 2, 3), 1});
