@@ -1,3 +1,6 @@
+#include <cmath>
+
+#include "core/formats/pbrt/build/scattering_presets.h"
 #include "tests/formats/pbrt/pbrt_text.h"
 
 using namespace etalon;
@@ -108,4 +111,29 @@ TEST_CASE("a medium that is not whole is not made") {
     CHECK(parse_world(grid + "\"integer nx\" -1 \"integer ny\" -1 \"float density\" 1")
               .frames.at(0)
               .media.empty());
+}
+
+TEST_CASE("the measured coefficients are those of pbrt-v3's table") {
+    // Sums of the logarithms of all numbers but 0, each times its place, of its core/medium.cpp.
+    double absorption = 0, scattering = 0;
+    int place = 0, zeros = 0;
+    const auto add = [&](float value, double& sum) {
+        if (value == 0) {
+            ++zeros;
+        } else {
+            sum += place * std::log(static_cast<double>(value));
+        }
+    };
+    for (const std::string_view name : scattering_preset_names()) {
+        const ScatteringPreset& preset = *find_scattering_preset(name);
+        for (std::size_t k = 0; k < 3; ++k) {
+            ++place;
+            add(preset.absorption[k], absorption);
+            add(preset.scattering[k], scattering);
+        }
+    }
+    CHECK(place == 3 * 47);
+    CHECK(zeros == 10);
+    CHECK(absorption == Approx(-26436.35294).margin(1e-4).epsilon(0));
+    CHECK(scattering == Approx(-48023.80398).margin(1e-4).epsilon(0));
 }
