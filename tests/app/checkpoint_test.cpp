@@ -203,6 +203,18 @@ TEST_CASE("A checkpoint of another rendering is an error, which names the differ
          "resolution is [32,24], here [64,48]; "},
         {"ball.p3f --spp 60000 --one-sided", "one-sided is false, here true"},
         {"ball.p3f --spp 60000 -b embree-builtin", "backend is \"exact\", here \"embree-builtin\""},
+        {"ball.p3f --spp 60000 --sampler random", "image: sampler is \"sobol\", here \"random\""},
+        {"ball.p3f --spp 60000 --max-depth 2", "image: max-depth is 5, here 2"},
+        {"ball.p3f --spp 60000 --display-values",
+         "image: display values is [true,false], here [true,true]"},
+        {"ball.p3f --spp 60000 --target-error 1e-3", "image: target-error is 0.0, here 0.001"},
+        {"ball.p3f --spp 60000 --aov variance", "image: variance is false, here true"},
+        {"ball.p3f --spp 60000 --crop 0,0,8,8", "image: crop is [0,0,32,24], here [0,0,8,8]"},
+        {"ball.p3f --spp 60000 --part 1/2", "image: part is [1,1], here [1,2]"},
+        {"ball.p3f --spp 60000 --filter gaussian:3",
+         "image: filter is [\"box\",[0.5,0.5]], here [\"gaussian\",[3.0,3.0,2.0]]"},
+        {"ball.p3f --spp 60000 --legacy p3f",
+         "legacy is \"\", here \"p3f\"; max-depth is 5, here 6; rules of whitted is [false,"},
         {"other.p3f --spp 60000", "of another image: scene is "}};
     for (const auto& [arguments, difference] : others) {
         const auto r = f.etalon("render -q -o b.exr --checkpoint c --resume " + arguments);
@@ -214,6 +226,17 @@ TEST_CASE("A checkpoint of another rendering is an error, which names the differ
     const auto resumed = f.etalon("render ball.p3f -b grid -t 1 --stats s.json --resume" + options);
     CHECK(resumed.status == 0);
     CHECK(json::parse(f.read("s.json"))["checkpoints"]["resumed_spp"] > 0);
+}
+
+TEST_CASE("A checkpoint of shorter rays of ambient occlusion is of another image", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::string command = "render ball.p3f --integrator ao --spp 60000 -q --checkpoint c ";
+    REQUIRE(f.etalon(command + "--max-distance 2 -o a.exr --time-limit 0.3").status == 0);
+    const auto r = f.etalon(command + "-o b.exr --resume");
+    CHECK(r.status == 3);
+    CHECK_THAT(r.err, ContainsSubstring("image: max-distance is 2.0, here \"infinite\""));
+    CHECK_FALSE(f.has("b.exr"));
 }
 
 TEST_CASE("A damaged checkpoint is refused", "[app]") {

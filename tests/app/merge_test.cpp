@@ -153,6 +153,12 @@ TEST_CASE("Files that are not parts of one image are an error", "[app]") {
     render(f, scene + "--part 2/2 --crop 0,0,40,40", "crop.exr");
     render(f, scene + "--part 2/2", "small.exr", "40x30");
     render(f, scene + "--part 2/2 --filter triangle", "filter.exr");
+    render(f, scene + "--part 2/2 --sampler random", "sampler.exr");
+    render(f, scene + "--part 2/2 --max-depth 2", "depth.exr");
+    render(f, scene + "--part 2/2 --display-values", "values.exr");
+    render(f, scene + "--part 2/2 --one-sided", "one_sided.exr");
+    render(f, scene + "--part 2/2 --legacy p3f", "legacy.exr");
+    render(f, scene + "--part 2/2 -b embree-builtin", "backend.exr");
     render(f, "features/spheres.p3f --spp 8 --part 2/2", "scene.exr");
     render(f, "features/glass.p3f --spp 6 --part 6/6", "few.exr");
     f.write("damaged.exr", [&] {
@@ -166,6 +172,12 @@ TEST_CASE("Files that are not parts of one image are an error", "[app]") {
         {"crop.exr", "overlap without being the same window"},
         {"small.exr", "not of the same image as a.exr: resolution is [40,30], there [80,60]"},
         {"filter.exr", "filter is [\"triangle\""},
+        {"sampler.exr", "as a.exr: sampler is \"random\", there \"sobol\""},
+        {"depth.exr", "as a.exr: max-depth is 2, there 5"},
+        {"values.exr", "as a.exr: display values is [true,true], there [true,false]"},
+        {"one_sided.exr", "as a.exr: one-sided is true, there false"},
+        {"legacy.exr", "legacy is \"p3f\", there \"\"; max-depth is 6, there 5; rules of"},
+        {"backend.exr", "as a.exr: backend is \"embree-builtin\", there \"exact\""},
         {"scene.exr", "scene is \""},
         {"few.exr", "few.exr may hold the same samples of seed 0"},
         {"plain.exr", "plain.exr: holds no sums of samples; expected an EXR of `etalon render"},
