@@ -1,4 +1,8 @@
 // Images of etalon render, and the options that change them.
+#include <OpenEXR/ImfStandardAttributes.h>
+
+#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/image/io.h"
@@ -78,6 +82,82 @@ TEST_CASE("render takes size, crop, depth, seed and several outputs", "[app]") {
         CHECK(s["seconds"].contains(key));
     }
     CHECK(s["memory_bytes"]["peak_rss"].get<double>() > 0);
+}
+
+TEST_CASE("--exposure brightens the PNG by stops, and leaves the EXR as it is", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    // The background in the corner, 0.2 0.3 0.4 as sRGB, times 1, 2 and 1/2 as light.
+    const std::pair<std::string, std::array<int, 3>> stops[] = {{"", {{51, 76, 102}}},
+                                                                {" --exposure 1", {{73, 107, 141}}},
+                                                                {" --exposure -1", {{34, 54, 73}}}};
+    REQUIRE(f.etalon("render ball.p3f -q -o plain.exr").status == 0);
+    for (const auto& [option, corner] : stops) {
+        CAPTURE(option);
+        REQUIRE(f.etalon("render ball.p3f -q -o a.png -o a.exr" + option).status == 0);
+        const auto image = etalon::read_image(f.path("a.png"));
+        REQUIRE(image.error == "");
+        const etalon::Color color = image.value.color(0, 0);
+        for (int k = 0; k < 3; ++k) CHECK(255 * color[k] == Approx(corner[k]));
+        CHECK(pixels(f.path("a.exr")) == pixels(f.path("plain.exr")));
+    }
+}
+
+TEST_CASE("--max-depth is the number of surfaces that a path meets", "[app]") {
+    const Folder f;
+    // Two mirrors that face each other, and the eye between them: no path leaves.
+    f.write("mirrors.p3f",
+            "accel bvh\nspp 0\nbclr 0 0 0\ncamera\neye 0 0 0\nat 0 0 -1\nup 0 1 0\nangle 45\n"
+            "hither 0.01\nresolution 4 4\naperture 0\nfocal 1\nmat 0 0 0 0 1 1 1 1 10 0 1\n"
+            "pl -1 -1 -1 1 -1 -1 0 1 -1\npl -1 -1 1 0 1 1 1 -1 1\n");
+    const std::pair<std::string, int> depths[] = {
+        {"", 5}, {" --max-depth 1", 1}, {" --max-depth 2", 2}, {" --max-depth 9", 9}};
+    for (const auto& [option, depth] : depths) {
+        CAPTURE(option);
+        REQUIRE(f.etalon("render mirrors.p3f -q -o a.exr --stats s.json" + option).status == 0);
+        const json rays = json::parse(f.read("s.json"))["rays"];
+        CHECK(rays["camera_hits"] == 16);
+        CHECK(rays["reflected"] == 16 * (depth - 1));
+        CHECK(rays["secondary_hits"] == 16 * (depth - 1));
+    }
+}
+
+TEST_CASE("--sampler chooses the sampler; the default is Sobol's", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto render = [&](const std::string& options) {
+        REQUIRE(f.etalon("render ball.p3f --spp 4 -q -o a.exr " + options).status == 0);
+        return pixels(f.path("a.exr"));
+    };
+    const auto plain = render("");
+    CHECK(render("--sampler sobol") == plain);
+    CHECK(render("--sampler random") != plain);
+}
+
+TEST_CASE("an EXR holds the matrices of its camera, for row vectors", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);  // eye 0 1 5, at 0 0 0, 45 degrees high, 4 : 3
+    REQUIRE(f.etalon("render ball.p3f -q -o a.exr").status == 0);
+    const Imf::InputFile file(f.path("a.exr").c_str());
+    REQUIRE(Imf::hasWorldToCamera(file.header()));
+    REQUIRE(Imf::hasWorldToNDC(file.header()));
+    const Imath::M44f to_camera = Imf::worldToCamera(file.header()),
+                      to_ndc = Imf::worldToNDC(file.header());
+    const auto check = [](const Imath::M44f& matrix, const Imath::V3f& point,
+                          const Imath::V3f& expected) {
+        Imath::V3f seen;
+        matrix.multVecMatrix(point, seen);
+        for (int k = 0; k < 3; ++k) CHECK(seen[k] == Approx(expected[k]).margin(1e-5));
+    };
+    const float distance = std::sqrt(26.0F), from_above = 4.9029034F;  // 25 / sqrt(26)
+    check(to_camera, {0, 1, 5}, {0, 0, 0});
+    check(to_camera, {0, 0, 0}, {0, 0, -distance});
+    check(to_camera, {1, 0, 0}, {1, 0, -distance});
+    check(to_camera, {0, 1, 0}, {0, 5 / distance, -from_above});
+    // 1 / tan(22.5 degrees) is 1 + sqrt(2).
+    check(to_ndc, {0, 0, 0}, {0, 0, 1});
+    check(to_ndc, {1, 0, 0}, {2.4142136F * 0.75F / distance, 0, 1});
+    check(to_ndc, {0, 1, 0}, {0, 2.4142136F * 0.2F, 1});
 }
 
 TEST_CASE("--filter sets the reconstruction filter; the default is a box of half a pixel",
