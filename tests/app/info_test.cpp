@@ -18,6 +18,25 @@ TEST_CASE("info shows the contents of a scene, as text and as JSON", "[app]") {
     CHECK(j["needs"] == json{"reflected rays"});
 }
 
+TEST_CASE("--legacy reads a scene as the old program of its format did", "[app]") {
+    const Folder f;
+    const auto info = [&](const std::string& arguments) {
+        return json::parse(f.etalon("info --json " + arguments).out);
+    };
+    f.write("ball.p3f", small_scene);
+    CHECK(info("ball.p3f")["max_depth"] == 5);
+    CHECK(info("ball.p3f --legacy p3f")["max_depth"] == 6);
+    f.write("a.prt", "from 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nresolution 40 30\nlight 0 0 1\n");
+    CHECK(info("a.prt")["camera"]["fov_degrees"] == 40.0);
+    const double wide = info("a.prt --legacy prt")["camera"]["fov_degrees"];
+    CHECK(wide == Approx(61.36411235));  // 2 atan(tan(40 degrees) / sqrt(2))
+    f.write("a.sce",
+            "sce1.0\neyepos 0 0 5\nrotate 45 1 0 0\n"
+            "triangle 0 0 0  1 0 0  0 1 0\n");
+    CHECK(info("a.sce")["primitives"] == json{{"triangle", 1}});
+    CHECK(info("a.sce --legacy sce")["primitives"].empty());  // the matrix is singular
+}
+
 TEST_CASE("info shows what shapes of instances need", "[app]") {
     const Folder f;
     f.write("object.pbrt",
