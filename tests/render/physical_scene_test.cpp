@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "core/color/srgb.h"
+#include "core/convert/physical_material.h"
 #include "core/convert/physical_scene.h"
 #include "core/formats/load.h"
 #include "core/formats/write/write.h"
@@ -51,6 +52,17 @@ double whitted_light(const TestScene& scene) {
 /// Largest difference between a decoded product and the product of its decoded factors, here.
 constexpr double decoding_error = 0.15;
 
+/// Converts a material whose colours are light.
+template <class Kind>
+Kind made_of(const Material& material) {
+    std::vector<PhysicalMaterial> list;
+    const std::uint32_t number = add_physical(material, LightValues(false), list);
+    REQUIRE(number == list.size() - 1);
+    const Kind* const kind = std::get_if<Kind>(&list[number].kind);
+    REQUIRE(kind);
+    return *kind;
+}
+
 const std::string floor_of_half =
     "mat 1 0.5 0.25 0.8 1 1 1 0 10 0 1\np 4\n-9 -9 0\n9 -9 0\n9 9 0\n-9 9 0\n";
 
@@ -78,6 +90,50 @@ TEST_CASE("Mirrors and glass look the same with path and whitted", "[path]") {
         const TestScene scene = p3f_scene(sky + "f" + statement + ball);
         CHECK_THAT(mean(scene, "path").y, WithinRel(whitted_light(scene), decoding_error));
     }
+}
+
+TEST_CASE("A highlight's microfacets are as wide as docs/physical.md says", "[path]") {
+    const auto alpha = [](Highlight highlight, double exponent) {
+        Material m;
+        m.diffuse = m.specular = Color(0.25F);
+        m.highlight = highlight;
+        m.shininess = exponent;
+        const Roughness r = made_of<UberMaterial>(m).roughness;
+        CHECK(r.u.value == r.v.value);
+        CHECK_FALSE(r.remap);
+        return r.u.value;
+    };
+    CHECK_THAT(alpha(Highlight::blinn, 6), WithinRel(0.5F, 1e-6F));  // sqrt(2 / 8)
+    CHECK_THAT(alpha(Highlight::blinn, 48), WithinRel(0.2F, 1e-6F));
+    CHECK_THAT(alpha(Highlight::phong, 1.5), WithinRel(0.5F, 1e-6F));
+    CHECK_THAT(alpha(Highlight::phong, 12), WithinRel(0.2F, 1e-6F));
+    CHECK(alpha(Highlight::blinn, 0) == 1);
+    CHECK(alpha(Highlight::blinn, -5) == 1);
+    CHECK(alpha(Highlight::blinn, 1e12) == 0.001F);
+}
+
+TEST_CASE("Weights are divided by their sum where it exceeds 1, a highlight's by 0.09", "[path]") {
+    Material m;
+    m.diffuse = Color(1.0F, 0.5F, 0.5F);
+    m.specular = Color(1.0F, 1.0F, 0.5F);
+    const auto shiny = made_of<UberMaterial>(m);
+    CHECK_THAT(shiny.kd.value.x, WithinRel(1 / 1.09F, 1e-6F));
+    CHECK_THAT(shiny.ks.value.x, WithinRel(1 / 1.09F, 1e-6F));
+    CHECK(shiny.kd.value.y == 0.5F);
+    CHECK(shiny.ks.value.y == 1);
+    CHECK(shiny.ks.value.z == 0.5F);
+    CHECK(shiny.eta.value == 1.5F);
+    // Mirrored light is not transmitted, too.
+    m = Material{};
+    m.diffuse = Color(0.5F);
+    m.reflection = m.transmission = Color(0.75F);
+    m.fresnel = true;
+    m.ior = 1.25;
+    const auto clear = made_of<UberMaterial>(m);
+    CHECK_THAT(clear.kd.value.y, WithinRel(0.4F, 1e-6F));
+    CHECK_THAT(clear.kr.value.y, WithinRel(0.6F, 1e-6F));
+    CHECK_THAT(clear.kt.value.y, WithinRel(0.6F, 1e-6F));
+    CHECK(clear.eta.value == 1.25F);
 }
 
 TEST_CASE("A material sends back no more light than it gets", "[path]") {
