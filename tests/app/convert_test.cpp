@@ -149,5 +149,5 @@ TEST_CASE("convert exits with the documented status", "[app]") {
     CHECK_FALSE(f.has("a.p3f"));
     CHECK(f.etalon("convert ball.p3f -o no/such/a.p3f").status == 4);
     CHECK(f.etalon("convert - --format p3f -o a.p3f", small_scene).status == 0);
-    CHECK(f.shell("ls").out == "a.p3f\nbad.p3f\nball.p3f\n");
+    CHECK(f.shell("ls -A").out == "a.p3f\nbad.p3f\nball.p3f\n");
 }

@@ -51,7 +51,7 @@ TEST_CASE("etalon-scenes writes through symbolic links, also to nothing yet", "[
         CHECK(folder.shell("test -L link && test -L there/link && test -f there/file").status == 0);
         CHECK(folder.read("there/file") == family_text("tetra", std::stoi(size)));
     }
-    CHECK(folder.shell("ls . there").out ==
+    CHECK(folder.shell("ls -A . there").out ==
           folder.shell("printf '.:\nlink\nthere\n\nthere:\nfile\nlink\n'").out);
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("etalon-scenes ends with 4 where it cannot write, and leaves nothing b
     CHECK(generate(folder, "tetra -o taken").status == 4);
     const std::string full_disk = "trap '' XFSZ; ulimit -f 8; ";  // blocks of 512 bytes
     CHECK(folder.shell(full_disk + program + "tetra -o large.p3f").status == 4);
-    CHECK(folder.shell("ls").out == "taken\n");
+    CHECK(folder.shell("ls -A").out == "taken\n");
 }
 
 TEST_CASE("A family's text is the same on every machine", "[scenes]") {
