@@ -39,6 +39,12 @@ bool is_invertible(const Affine& map) {
            max_abs(map.origin) < largest;
 }
 
+/// Returns the bounds of a scene whose shapes Embree intersects, without padding: outliers are only
+/// those that leave others no room.
+SceneBounds unpadded_bounds(const Geometry& geometry) {
+    return SceneBounds::of(geometry, full_padding, OutlierRule::no_room);
+}
+
 std::array<float, 12> columns_of(const Affine& map) {
     std::array<float, 12> columns;
     float* to = columns.data();
@@ -52,7 +58,7 @@ std::array<float, 12> columns_of(const Affine& map) {
 
 EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal,
                              const SceneDevice* of_scene)
-    : Intersector(geometry),
+    : Intersector(geometry, unpadded_bounds(geometry)),
       device_(of_scene),
       others_(geometry, *this),
       embree_scene_(rtcNewScene(device_->handle())) {
@@ -123,7 +129,7 @@ void EmbreeBuiltin::attach_instance(std::uint32_t item, const Affine& map) {
 }
 
 bool EmbreeBuiltin::has_own_kernels(const Geometry& geometry) {
-    const SceneBounds bounds = SceneBounds::of(geometry);
+    const SceneBounds bounds = unpadded_bounds(geometry);
     return std::ranges::any_of(bounds.bounded,
                                [&](const BoundedPrimitive& p) {
                                    return embree_type_of(geometry, bounds.space, p.id).has_value();

@@ -84,7 +84,7 @@ NestedSceneData::NestedSceneData(const Geometry& geometry, const Intersector& in
       scale(space.scale()),
       boxes(instance_bounds(geometry,
                             Box3(space.centre() - space.reach(), space.centre() + space.reach()),
-                            ReachCounts::no_limit, nest_padding)
+                            NearRegion(), nest_padding)
                 .boxes),
       objects(instances.object_spaces()) {}
 

@@ -2,6 +2,8 @@
 
 #include "core/intersect/instance_bounds.h"
 #include "core/intersect/kernels.h"
+#include "core/intersect/near_region.h"
+#include "core/intersect/outliers.h"
 #include "core/numerics/denormals.h"
 #include "embree_backend/query.h"
 
@@ -11,15 +13,17 @@ namespace {
 /// Computes the boxes of all items, one primitive after the other: see PlainUserGeometry.
 class PlainBoxes {
   public:
-    explicit PlainBoxes(const Geometry& geometry) : geometry_(geometry) {
+    explicit PlainBoxes(const Geometry& geometry)
+        : geometry_(geometry), near_{middle_of(geometry)} {
         instances_ = boxes_of_instances();
         ReachCounts reaches;
         for (std::uint32_t item = 0; item < geometry.item_count(); ++item) {
-            if (!is_bounded(item)) continue;
-            reaches.add(reach_of(box(item)), geometry.is_instance(item));
+            if (!is_near(item)) continue;
+            const Box3 bounds = box(item);
+            reaches.add(near_.reach_of(bounds), max_abs(bounds.size()), geometry.is_instance(item));
         }
-        limit_ = reaches.limit();
-        if (limit_ < ReachCounts::no_limit) instances_ = boxes_of_instances();
+        near_.reach = reaches.limit(OutlierRule::cost);
+        if (!near_.is_everything()) instances_ = boxes_of_instances();
     }
 
     Box3 box(std::uint32_t item) const {
@@ -27,19 +31,19 @@ class PlainBoxes {
         return instances_[item - geometry_.primitives.size()];
     }
 
-    bool is_bounded(std::uint32_t item) const { return etalon::is_bounded(box(item), limit_); }
+    bool is_near(std::uint32_t item) const { return near_.contains(box(item)); }
 
   private:
     LargeVector<Box3> boxes_of_instances() const {
         Box3 others;
         for (std::uint32_t id = 0; id < geometry_.primitives.size(); ++id) {
-            if (is_bounded(id)) others.extendBy(whole_bounds(geometry_, id));
+            if (is_near(id)) others.extendBy(whole_bounds(geometry_, id));
         }
-        return instance_bounds(geometry_, others, limit_).boxes;
+        return instance_bounds(geometry_, others, near_).boxes;
     }
 
     const Geometry& geometry_;
-    double limit_ = ReachCounts::no_limit;
+    NearRegion near_;
     LargeVector<Box3> instances_;
 };
 
@@ -50,7 +54,7 @@ SceneBounds plain_bounds(const Geometry& geometry) {
     SceneBounds result;
     Box3 world;
     for (std::uint32_t item = 0; item < geometry.item_count(); ++item) {
-        if (boxes.is_bounded(item)) {
+        if (boxes.is_near(item)) {
             world.extendBy(boxes.box(item));
         } else if (!boxes.box(item).isEmpty()) {
             result.unbounded.push_back(item);
@@ -75,7 +79,7 @@ void bounds_of_primitive(const RTCBoundsFunctionArguments* arguments) {
     const DenormalsCount denormals_count;
     const auto& data = *static_cast<const BoundsQuery*>(arguments->geometryUserPtr);
     Box3f box;
-    if (data.boxes.is_bounded(arguments->primID)) {
+    if (data.boxes.is_near(arguments->primID)) {
         const Box3 world = data.boxes.box(arguments->primID);
         box.min = Vec3f(data.space.point(world.min) - Vec3(margin));
         box.max = Vec3f(data.space.point(world.max) + Vec3(margin));

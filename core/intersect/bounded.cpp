@@ -5,7 +5,7 @@
 
 #include "core/intersect/instance_bounds.h"
 #include "core/intersect/kernels.h"
-#include "core/intersect/outliers.h"
+#include "core/intersect/near_region.h"
 #include "core/parallel/chunks.h"
 
 namespace etalon {
@@ -15,18 +15,18 @@ constexpr std::size_t chunk_size = 4096;
 
 /// Summary of a part of the scene before there is a normalized space.
 struct ChunkBounds {
-    explicit ChunkBounds(double limit_of_reach = ReachCounts::no_limit) : limit(limit_of_reach) {}
+    explicit ChunkBounds(const NearRegion& region) : near(region) {}
 
-    double limit;
+    NearRegion near;
     ReachCounts reaches;
     Box3 world;
     std::size_t bounded = 0;
     std::vector<std::uint32_t> unbounded;
 
     void add(const Box3& box, std::uint32_t id, bool is_instance = false) {
-        if (is_bounded(box, limit)) {
+        if (near.contains(box)) {
             world.extendBy(box);
-            reaches.add(reach_of(box), is_instance);
+            reaches.add(near.reach_of(box), max_abs(box.size()), is_instance);
             ++bounded;
         } else if (!box.isEmpty()) {
             unbounded.push_back(id);
@@ -48,53 +48,55 @@ struct SortedItems {
     std::vector<std::size_t> offsets;  ///< of each chunk's bounded primitives; last, of instances
 };
 
-SortedItems sort_items(const Geometry& geometry, const Chunks& chunks, double limit,
+SortedItems sort_items(const Geometry& geometry, const Chunks& chunks, const NearRegion& near,
                        const InstancePadding& padding) {
-    std::vector<ChunkBounds> bounds_of_chunks(chunks.number(), ChunkBounds(limit));
+    std::vector<ChunkBounds> bounds_of_chunks(chunks.number(), ChunkBounds(near));
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto id = static_cast<std::uint32_t>(i);
             bounds_of_chunks[chunk].add(whole_bounds(geometry, id), id);
         }
     });
-    SortedItems sorted{ChunkBounds(limit), {}, {}};
+    SortedItems sorted{ChunkBounds(near), {}, {}};
     for (const ChunkBounds& s : bounds_of_chunks) {
         sorted.offsets.push_back(sorted.all.bounded);
         sorted.all.add(s);
     }
     sorted.offsets.push_back(sorted.all.bounded);
-    sorted.instances = instance_bounds(geometry, sorted.all.world, limit, padding);
+    sorted.instances = instance_bounds(geometry, sorted.all.world, near, padding);
     auto id = static_cast<std::uint32_t>(geometry.primitives.size());
     for (const Box3& box : sorted.instances.boxes) sorted.all.add(box, id++, true);
     return sorted;
 }
 
 /// Computes the boxes a second time, which costs less than keeping them in double.
-void bound(const Geometry& geometry, const NormalizedSpace& space, double limit, std::size_t begin,
-           std::size_t end, BoundedPrimitive* out) {
+void bound(const Geometry& geometry, const NormalizedSpace& space, const NearRegion& near,
+           std::size_t begin, std::size_t end, BoundedPrimitive* out) {
     for (std::size_t i = begin; i < end; ++i) {
         const auto id = static_cast<std::uint32_t>(i);
         const Box3 box = whole_bounds(geometry, id);
-        if (is_bounded(box, limit)) *out++ = {space.box(box), id, geometry.primitives[i].kind};
+        if (near.contains(box)) *out++ = {space.box(box), id, geometry.primitives[i].kind};
     }
 }
 
-void bound_instances(const Geometry& geometry, const NormalizedSpace& space, double limit,
+void bound_instances(const Geometry& geometry, const NormalizedSpace& space, const NearRegion& near,
                      double pad, std::span<const Box3> boxes, BoundedPrimitive* out) {
     auto id = static_cast<std::uint32_t>(geometry.primitives.size());
     for (const Box3& box : boxes) {
-        if (is_bounded(box, limit)) *out++ = {space.box(box, pad), id, instance_kind};
+        if (near.contains(box)) *out++ = {space.box(box, pad), id, instance_kind};
         ++id;
     }
 }
 
 }  // namespace
 
-SceneBounds SceneBounds::of(const Geometry& geometry, const InstancePadding& padding) {
+SceneBounds SceneBounds::of(const Geometry& geometry, const InstancePadding& padding,
+                            OutlierRule rule) {
     const Chunks chunks(geometry.primitives.size(), chunk_size);
-    SortedItems sorted = sort_items(geometry, chunks, ReachCounts::no_limit, padding);
-    const double limit = sorted.all.reaches.limit();
-    if (limit < ReachCounts::no_limit) sorted = sort_items(geometry, chunks, limit, padding);
+    NearRegion near{middle_of(geometry)};
+    SortedItems sorted = sort_items(geometry, chunks, near, padding);
+    near.reach = sorted.all.reaches.limit(rule);
+    if (!near.is_everything()) sorted = sort_items(geometry, chunks, near, padding);
 
     SceneBounds result;
     result.unbounded = std::move(sorted.all.unbounded);
@@ -102,10 +104,10 @@ SceneBounds SceneBounds::of(const Geometry& geometry, const InstancePadding& pad
     result.space = NormalizedSpace(sorted.all.world, sorted.instances.drift);
     result.bounded.resize(sorted.all.bounded);
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        bound(geometry, result.space, limit, begin, end,
+        bound(geometry, result.space, near, begin, end,
               result.bounded.data() + sorted.offsets[chunk]);
     });
-    bound_instances(geometry, result.space, limit, padding.box, sorted.instances.boxes,
+    bound_instances(geometry, result.space, near, padding.box, sorted.instances.boxes,
                     result.bounded.data() + sorted.offsets.back());
     result.separate_far(geometry);
     return result;
@@ -113,8 +115,7 @@ SceneBounds SceneBounds::of(const Geometry& geometry, const InstancePadding& pad
 
 void SceneBounds::separate_far(const Geometry& geometry) {
     const auto is_far = [&](std::uint32_t item) {
-        return !geometry.is_instance(item) &&
-               is_bounded(whole_bounds(geometry, item), ReachCounts::no_limit);
+        return !geometry.is_instance(item) && is_bounded(whole_bounds(geometry, item));
     };
     std::ranges::copy_if(unbounded, std::back_inserter(far), is_far);
     if (far.size() <= ReachCounts::few) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/intersect/normalized_space.h"
+#include "core/intersect/outliers.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {
@@ -30,7 +31,8 @@ static_assert(sizeof(BoundedPrimitive) == 32);
 /// nothing can hit, are in no list.
 struct SceneBounds {
     /// Computes the bounds with as many threads as allowed. The lists are in the scene's order.
-    static SceneBounds of(const Geometry& geometry, const InstancePadding& padding = full_padding);
+    static SceneBounds of(const Geometry& geometry, const InstancePadding& padding = full_padding,
+                          OutlierRule rule = OutlierRule::cost);
 
     /// Puts every primitive into the list of unbounded ones, which are always tested. Instances are
     /// left out.

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/intersect/kernels.h"
-#include "core/intersect/outliers.h"
 
 namespace etalon {
 namespace {
@@ -18,7 +17,7 @@ double margin_of(double t) {
 }
 
 Box3 padded(const Box3& box) {
-    const Vec3 margin(box_margin * reach_of(box));
+    const Vec3 margin(box_margin * std::max(max_abs(box.min), max_abs(box.max)));
     return {box.min - margin, box.max + margin};
 }
 

@@ -27,10 +27,6 @@ const Box3& everywhere() {
     return box;
 }
 
-bool is_bounded(const Box3& box) {
-    return is_finite(box.min) && is_finite(box.max);
-}
-
 std::vector<ObjectOutline> outlines_of(const std::vector<Geometry>& objects) {
     std::vector<ObjectOutline> outlines(objects.size());
     Chunks(objects.size(), 1)
@@ -113,7 +109,7 @@ double pad(const Geometry& geometry, const Box3& world, const InstancePadding& p
     double spread = 1;
     for (std::size_t i = begin; i < end; ++i) {
         Box3& box = unpadded.boxes[i];
-        if (box.isEmpty() || !is_bounded(box)) continue;
+        if (!is_bounded(box)) continue;
         const Roundings roundings =
             roundings_of(geometry, geometry.instances[i], unpadded.spreads[i], centre);
         if (!(max_abs(margin_of(roundings, half, full_padding)) <= largest_margin * half)) {
@@ -129,7 +125,7 @@ double pad(const Geometry& geometry, const Box3& world, const InstancePadding& p
 
 }  // namespace
 
-InstanceBounds instance_bounds(const Geometry& geometry, const Box3& others, double limit,
+InstanceBounds instance_bounds(const Geometry& geometry, const Box3& others, const NearRegion& near,
                                const InstancePadding& padding) {
     const auto& instances = geometry.instances;
     if (instances.empty()) return {};
@@ -140,7 +136,7 @@ InstanceBounds instance_bounds(const Geometry& geometry, const Box3& others, dou
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             unpadded.set(i, geometry, outlines[instances[i].object]);
-            if (is_bounded(unpadded.boxes[i], limit)) of_chunk[chunk].extendBy(unpadded.boxes[i]);
+            if (near.contains(unpadded.boxes[i])) of_chunk[chunk].extendBy(unpadded.boxes[i]);
         }
     });
     Box3 world = others;
@@ -158,7 +154,7 @@ InstanceBounds instance_bounds(const Geometry& geometry, const Box3& others, dou
 Box3 finite_bounds(const Geometry& geometry) {
     Box3 all;
     const auto add = [&](const Box3& box) {
-        if (!box.isEmpty() && is_bounded(box)) all.extendBy(box);
+        if (is_bounded(box)) all.extendBy(box);
     };
     for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
         add(whole_bounds(geometry, id));

@@ -25,6 +25,16 @@ Scene two_heaps() {
     return scene;
 }
 
+/// A thousand spheres as small as a pebble in a unit ball, around `place`.
+Scene pebbles(const Vec3& place) {
+    Scene scene;
+    Random random(3);
+    for (int i = 0; i < 1000; ++i) {
+        scene.geometry.add(Sphere{place + random.in_cube(), 0.004}, 0);
+    }
+    return scene;
+}
+
 }  // namespace
 
 TEST_CASE("Given a ray, a query that counts finds the same hit to the last bit", "[backends]") {
@@ -90,4 +100,29 @@ TEST_CASE("Given a plane, it is tested once more for every ray", "[backends]") {
     CHECK(cost.primitive_tests == 9);
     CHECK_FALSE(bvh->closest({Vec3(0), Vec3(0)}, cost));  // no ray: nothing is tested
     CHECK(cost.primitive_tests == 9);
+}
+
+TEST_CASE("A large ground, near the world's origin or far from it, does not blur small primitives",
+          "[backends]") {
+    for (const double size : {1e3, 1e4, 1e5}) {
+        for (const Vec3& place : {Vec3(0), Vec3(5e5, 4e6, 0)}) {
+            Scene scene = pebbles(place);
+            Random random(4);
+            std::vector<Ray> rays;
+            for (int i = 0; i < 500; ++i) {
+                rays.push_back({place + 3.0 * random.direction(), random.direction()});
+            }
+            const auto exact = exact_backends();
+            std::vector<std::uint64_t> tests;
+            for (const Backend& backend : exact) {
+                tests.push_back(cost_of(*backend.build(scene.geometry), rays).primitive_tests);
+            }
+            scene.geometry.add(Sphere{place - Vec3(0, 0, size + 2), size}, 0);
+            for (std::size_t i = 0; i < exact.size(); ++i) {
+                INFO(exact[i].name << ", a ground of " << size << " at " << place.x);
+                const auto found = cost_of(*exact[i].build(scene.geometry), rays).primitive_tests;
+                CHECK(found <= 2 * tests[i] + rays.size());
+            }
+        }
+    }
 }

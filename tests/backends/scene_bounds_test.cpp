@@ -76,6 +76,23 @@ TEST_CASE("Primitives that reach far beyond all others are not bounded, unless m
     }
 }
 
+TEST_CASE("A few primitives are outliers where their reach would blur many small ones") {
+    const auto bounds_of = [](double size_of_ground, double size_of_spheres, const Vec3& place) {
+        Scene scene;
+        Random random(5);
+        for (int i = 0; i < 1000; ++i) {
+            scene.geometry.add(Sphere{place + random.in_cube(), size_of_spheres}, 0);
+        }
+        scene.geometry.add(Sphere{place - Vec3(0, 0, size_of_ground), size_of_ground}, 0);
+        return SceneBounds::of(scene.geometry);
+    };
+    for (const Vec3& place : {Vec3(0), Vec3(5e5, 4e6, 0)}) {
+        CHECK(bounds_of(10, 0.01, place).unbounded.empty());
+        CHECK(bounds_of(1000, 0.1, place).unbounded.empty());
+        CHECK(bounds_of(2000, 0.01, place).unbounded == std::vector<std::uint32_t>{1000});
+    }
+}
+
 TEST_CASE("A far instance leaves the others their place in normalized space") {
     Scene scene;
     Geometry object;
