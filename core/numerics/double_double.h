@@ -23,6 +23,20 @@ inline Vec3TwoTerm two_terms(const Vec3& v) {
     return {TwoTerm{v.x, 0}, TwoTerm{v.y, 0}, TwoTerm{v.z, 0}};
 }
 
+inline Vec3TwoTerm operator+(const Vec3TwoTerm& a, const Vec3TwoTerm& b) {
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+/// Returns a - b exactly.
+inline Vec3TwoTerm two_differences(const Vec3& a, const Vec3& b) {
+    return {two_difference(a.x, b.x), two_difference(a.y, b.y), two_difference(a.z, b.z)};
+}
+
+inline Vec3TwoTerm cross(const Vec3TwoTerm& a, const Vec3TwoTerm& b) {
+    return {a[1] * b[2] + -(a[2] * b[1]), a[2] * b[0] + -(a[0] * b[2]),
+            a[0] * b[1] + -(a[1] * b[0])};
+}
+
 inline Vec3 rounded(const Vec3TwoTerm& v) {
     return {v[0].value, v[1].value, v[2].value};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/numerics/double_double.h"
 #include "core/numerics/dyadic_vec.h"
 #include "core/numerics/rounding.h"
 
@@ -12,12 +13,28 @@ bool is_degenerate(const PolygonPlane& plane) {
     return !is_finite(plane.normal) || !is_finite(plane.mean) || plane.normal == Vec3(0);
 }
 
-/// Returns Newell's normal of corners so nearly collinear that its terms cancel in double.
-Vec3 exact_normal(std::span<const Vec3> corners) {
-    if (corners.empty() ||
-        !std::ranges::all_of(corners, [](const Vec3& c) { return is_finite(c); })) {
-        return Vec3(0);
+/// Newell's sums over the edges seen from the first corner.
+struct NewellSums {
+    explicit NewellSums(std::span<const Vec3> p) {
+        Vec3TwoTerm a{};
+        for (const Vec3& corner : p.subspan(1)) {
+            const Vec3TwoTerm b = two_differences(corner, p[0]);
+            corners = corners + b;
+            normal = normal + cross(a, b);
+            const Vec3 x = abs(rounded(a)), y = abs(rounded(b));
+            terms += {x.y * y.z + x.z * y.y, x.z * y.x + x.x * y.z, x.x * y.y + x.y * y.x};
+            a = b;
+        }
     }
+
+    Vec3TwoTerm corners{};  ///< relative to the first one
+    Vec3TwoTerm normal{};
+    Vec3 terms{0};  ///< sums of the magnitudes of the normal's terms
+};
+
+/// Returns Newell's normal of corners so nearly collinear that its terms cancel in double-double.
+Vec3 exact_normal(std::span<const Vec3> corners) {
+    if (!std::ranges::all_of(corners, [](const Vec3& c) { return is_finite(c); })) return Vec3(0);
     DyadicVec previous = difference(corners[0], corners[0]), normal = previous;
     for (const Vec3& corner : corners.subspan(1)) {
         const DyadicVec next = difference(corner, corners[0]);
@@ -57,21 +74,22 @@ OutlineProjection projection_of(std::span<const Vec3> corners, const PolygonPlan
 
 }  // namespace
 
-PolygonPlane plane_of(std::span<const Vec3> p) {
-    PolygonPlane plane;
-    for (std::size_t i = 1; i < p.size(); ++i) {
-        const Vec3 a = p[i - 1] - p[0], b = p[i] - p[0];
-        plane.mean += b;
-        plane.normal += a.cross(b);
-        const Vec3 x = abs(a), y = abs(b);
-        plane.terms += Vec3(x.y * y.z + x.z * y.y, x.z * y.x + x.x * y.z, x.x * y.y + x.y * y.x);
+/// Each of the sums' terms is good to 2^-100, or to 2^-1074 where it underflows.
+PolygonPlane plane_of(std::span<const Vec3> corners) {
+    if (corners.empty()) return {};
+    const NewellSums sums(corners);
+    const auto count = static_cast<double>(corners.size());
+    PolygonPlane plane{rounded(sums.corners) / count, rounded(sums.normal)};
+    Vec3 of_sums = count * 0x1p-100 * sums.terms;
+    if (is_finite(plane.normal) && unit_roundoff * max_abs(plane.normal) <= max_abs(of_sums)) {
+        plane.normal = exact_normal(corners);
+        of_sums = Vec3(0);
     }
-    plane.mean /= static_cast<double>(p.size());
+    plane.error = 8 * unit_roundoff * abs(plane.normal) + of_sums + Vec3(0x1p-900);
     return plane;
 }
 
 PolygonFacts::PolygonFacts(std::span<const Vec3> corners) : plane(plane_of(corners)) {
-    if (plane.normal == Vec3(0)) plane.normal = exact_normal(corners);
     if (is_degenerate(plane)) return;
     box = box_of(corners);
     projection = projection_of(corners, plane, box);

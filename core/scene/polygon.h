@@ -24,9 +24,14 @@ struct Polygon {
 struct PolygonPlane {
     Vec3 mean{0};  ///< relative to the first corner
     Vec3 normal{0};
-    Vec3 terms{0};  ///< sums of the magnitudes of the normal's terms
+    /// Bounds on the errors of the normal's components, with eight roundings of each: the sign of
+    /// `normal . v` is sure if that exceeds `error . |v|`.
+    Vec3 error{0};
 };
 
+/// Sums in double-double, or exactly where that cancels, so that the errors do not grow with the
+/// number of corners: a ray that leaves the polygon starts only a few roundings above it. The
+/// normal is zero or not finite if there is none.
 PolygonPlane plane_of(std::span<const Vec3> corners);
 
 /// The projection of a polygon's outline along the dominant axis of its normal, for kernels that

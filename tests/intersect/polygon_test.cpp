@@ -1,4 +1,7 @@
 #include "core/intersect/shapes/polygon.h"
+
+#include <numbers>
+
 #include "core/scene/scene.h"
 
 #include "core/intersect/kernels.h"
@@ -148,8 +151,33 @@ TEST_CASE("Polygon: given corners whose normal vanishes in double only, then it 
                                        {1.69, 6.1725, 1.585},
                                        {1.69, 19.61, 8.16},
                                        {1.69, 8.86, 2.9}});
-    CHECK(plane_of(scene.geometry.all<Polygon>()[0].corners).normal == Vec3(0));
+    Vec3 normal(0);
+    const auto corners = scene.geometry.all<Polygon>()[0].corners;
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        normal += (corners[i - 1] - corners[0]).cross(corners[i] - corners[0]);
+    }
+    CHECK(normal == Vec3(0));
     CHECK_FALSE(primitive_bounds(scene.geometry, 0).isEmpty());
     const SurfacePoint p = surface_at(scene.geometry, {{0, 8.86, 2.9}, {1, 0, 0}}, {1.69, 0});
     CHECK(is_finite(p.normal));
+}
+
+TEST_CASE("Polygon: given many corners in a tilted plane, rays that leave it need no exact sums") {
+    for (const int count : {7, 100, 1000}) {
+        std::vector<Vec3> corners;
+        for (int i = 0; i < count; ++i) {
+            const double angle = 2 * std::numbers::pi * i / count, x = std::cos(angle);
+            corners.push_back({x, std::sin(angle), 0.3 * x});
+        }
+        const Scene scene = polygon_scene(corners);
+        const StoredPolygon polygon = scene.geometry.all<Polygon>()[0];
+        Random random(6);
+        for (int i = 0; i < 100; ++i) {
+            const Vec3 place = 0.5 * random.in_cube();
+            const Ray ray{{place.x, place.y, 3}, {0, 0, -1}};
+            const SurfacePoint point = surface_at(scene.geometry, ray, {hit(scene, ray), 0});
+            const Ray leaving = spawn_ray(point, random.direction());
+            CHECK(plain_passage(polygon, RayQuery(leaving)).has_value());
+        }
+    }
 }

@@ -64,7 +64,7 @@ void check_kept(const Geometry& g) {
         const PolygonFacts expected(p.corners);
         CHECK(p.facts.plane.mean == expected.plane.mean);
         CHECK(p.facts.plane.normal == expected.plane.normal);
-        CHECK(p.facts.plane.terms == expected.plane.terms);
+        CHECK(p.facts.plane.error == expected.plane.error);
         CHECK(p.facts.box == expected.box);
         const OutlineProjection &projection = p.facts.projection, &other = expected.projection;
         CHECK(projection.along == other.along);

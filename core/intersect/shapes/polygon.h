@@ -23,16 +23,20 @@ PlanePassage exact_passage(std::span<const Vec3> p, const RayQuery& q);
 
 /// Returns the passage if plain doubles suffice, else nothing. Then the side seen is right, and t
 /// is good to t_tolerance or certainly negative.
+///
+/// For a normal n that is off by e, n . v with v exact is off by (3 u |n| + e) . |v|. The vector to
+/// the mean is off by 2 u |p0 - o| and, as the mean of the corners is within their size s, by 3 u s
+/// more. So both products are off by no more than (6 u |n| + e) . (|p0 - o| + s) and (3 u |n| + e)
+/// . |d|, which PolygonPlane::error exceeds. What products lose that underflow is less than its
+/// least component times a direction or a size that is not tiny (see RescaledRay).
 inline std::optional<PlanePassage> plain_passage(const StoredPolygon& polygon, const RayQuery& q) {
     const std::span<const Vec3> p = polygon.corners;
     const PolygonPlane& plane = polygon.facts.plane;
     const Vec3 to_first = p[0] - q.ray.origin, &d = q.ray.direction;
     const double cosine = plane.normal.dot(d), distance = plane.normal.dot(to_first + plane.mean);
     constexpr double worst = t_tolerance / 2;
-    const double roundings = 4 * (static_cast<double>(p.size()) + 8) * unit_roundoff;
-    const double cosine_error_bound = roundings * plane.terms.dot(abs(d));
-    const double distance_error_bound =
-        roundings * plane.terms.dot(abs(to_first) + polygon.facts.box.size());
+    const double cosine_error_bound = plane.error.dot(abs(d));
+    const double distance_error_bound = plane.error.dot(abs(to_first) + polygon.facts.box.size());
     const bool certain =
         std::abs(cosine) > cosine_error_bound && std::abs(distance) > distance_error_bound;
     const bool good = worst * std::abs(cosine) > cosine_error_bound &&

@@ -19,14 +19,11 @@ struct PassageLanes {
     HWY_INLINE PassageLanes(const StoredPolygon& p, const RayLanes& rays) {
         const PolygonPlane& plane = p.facts.plane;
         const Vec3Lanes to_first = broadcast(p.corners[0]) - rays.origin;
-        const Vec3Lanes normal = broadcast(plane.normal), terms = broadcast(plane.terms);
+        const Vec3Lanes normal = broadcast(plane.normal), error = broadcast(plane.error);
         cosine = normal.dot(rays.direction);
         const Doubles distance = normal.dot(to_first + broadcast(plane.mean));
-        const Doubles roundings =
-            broadcast(4 * (static_cast<double>(p.corners.size()) + 8) * unit_roundoff);
-        const Doubles cosine_error = roundings * terms.dot(abs(rays.direction));
-        const Doubles distance_error =
-            roundings * terms.dot(abs(to_first) + broadcast(p.facts.box.size()));
+        const Doubles cosine_error = error.dot(abs(rays.direction));
+        const Doubles distance_error = error.dot(abs(to_first) + broadcast(p.facts.box.size()));
         const Doubles cosine_size = hn::Abs(cosine), distance_size = hn::Abs(distance);
         const Doubles zero = broadcast(0), worst = broadcast(t_tolerance / 2);
         const DoubleMask certain =
