@@ -66,15 +66,21 @@ struct RayNearby {
     }
 
     /// Returns where the hit at `t` of the original ray is. That is the first hit, unless the
-    /// original ray starts there: then of two hits it is the nearer one, as far as roundings allow.
+    /// original ray starts there or further on, as in a shape that is much longer than thick: then
+    /// of two hits it is the nearer one, as far as roundings allow.
     double place_of(const Ray& from, double t) {
         const double first = first_hit_after(0);
         if (!(first < infinity)) return before;  // at a silhouette
-        if (!(from.tmin > t / 2)) return first;
+        const bool starts_there = from.tmin > t / 2 || first < place_along(from, from.tmin);
+        if (!starts_there) return first;
         const double second = first_hit_after(first);
-        const double about =
-            before + (from.origin - centre + t * from.direction).dot(ray.direction);
+        const double about = place_along(from, t);
         return std::abs(second - about) < std::abs(first - about) ? second : first;
+    }
+
+    /// Returns where the point at `t` of the original ray is, but for roundings.
+    double place_along(const Ray& from, double t) const {
+        return before + (from.origin - centre + t * from.direction).dot(ray.direction);
     }
 
     const Geometry& geometry;

@@ -80,3 +80,17 @@ TEST_CASE("Surfaces: given a distant ray that passed a sphere's front, its point
     CHECK(surface_at(geometry, front, {first, 0}).normal.x > 0.5);
     CHECK(surface_at(geometry, behind, {second, 0}).normal.x < -0.5);
 }
+
+TEST_CASE("Surfaces: given a ray that leaves a needle from inside, its point is ahead of it") {
+    Geometry geometry;
+    geometry.add(Cone{{0, 0, -1}, {0, 0, 1}, 1e-10, 1e-10}, 0);
+    geometry.add(Ellipsoid({{1, 0, 0}, {0, 1, 0}, {0, 0, 1e-10}, Vec3(0)}), 0);
+    for (const auto& [primitive, ray] : {std::pair(0U, Ray{Vec3(0), {1.25e-10, 0, 1}}),
+                                         std::pair(1U, Ray{Vec3(0), {1, 0, 9e-11}})}) {
+        const double t = primitive_first_hit(geometry, primitive, RayQuery(ray));
+        REQUIRE(t < infinity);
+        const SurfacePoint p = surface_at(geometry, ray, {t, primitive});
+        CHECK(p.normal.dot(ray.direction) > 0);
+        CHECK(max_abs(p.position - t * ray.direction) < 1e-9);
+    }
+}
