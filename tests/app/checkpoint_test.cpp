@@ -228,15 +228,28 @@ TEST_CASE("A checkpoint of another rendering is an error, which names the differ
     CHECK(json::parse(f.read("s.json"))["checkpoints"]["resumed_spp"] > 0);
 }
 
-TEST_CASE("A checkpoint of shorter rays of ambient occlusion is of another image", "[app]") {
+TEST_CASE("A checkpoint of shorter rays or of another frame is of another image", "[app]") {
     const Folder f;
+    const std::string frame =
+        "Film \"image\" \"integer xresolution\" 32 \"integer yresolution\" 24\n"
+        "WorldBegin\nLightSource \"infinite\"\nShape \"sphere\"\nWorldEnd\n";
     f.write("ball.p3f", small_scene);
-    const std::string command = "render ball.p3f --integrator ao --spp 60000 -q --checkpoint c ";
-    REQUIRE(f.etalon(command + "--max-distance 2 -o a.exr --time-limit 0.3").status == 0);
-    const auto r = f.etalon(command + "-o b.exr --resume");
-    CHECK(r.status == 3);
-    CHECK_THAT(r.err, ContainsSubstring("image: max-distance is 2.0, here \"infinite\""));
-    CHECK_FALSE(f.has("b.exr"));
+    f.write("frames.pbrt", frame + frame);
+    struct Row {
+        std::string scene, first, second, difference;
+    };
+    const Row rows[] = {{"ball.p3f --integrator ao", " --max-distance 2", "",
+                         "image: max-distance is 2.0, here \"infinite\""},
+                        {"frames.pbrt", " --frame 1", " --frame 2", "image: frame is 1, here 2"}};
+    for (const auto& [scene, first, second, difference] : rows) {
+        const std::string command = "render -q --spp 60000 --checkpoint c " + scene;
+        REQUIRE(f.etalon(command + first + " -o a.exr --time-limit 0.3").status == 0);
+        const auto r = f.etalon(command + second + " -o b.exr --resume");
+        CAPTURE(scene, r.err);
+        CHECK(r.status == 3);
+        CHECK_THAT(r.err, ContainsSubstring(difference));
+        CHECK_FALSE(f.has("b.exr"));
+    }
 }
 
 TEST_CASE("A damaged checkpoint is refused", "[app]") {
