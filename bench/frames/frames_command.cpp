@@ -1,7 +1,6 @@
 // etalon-bench frames: the time of each stage of a frame, and the share of intersection.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/common/backends.h"
@@ -13,6 +12,7 @@
 #include "bench/bench_subcommands.h"
 #include "bench/frames/frame_report.h"
 #include "bench/frames/measure_frame.h"
+#include "bench/frames/scene_names.h"
 #include "bench/frames/scratch_folder.h"
 #include "bench/scenes/bench_scene.h"
 #include "core/scene/resize.h"
@@ -56,7 +56,7 @@ std::string measure_all(const FramesArguments& a, std::vector<frames::FrameFigur
         const auto frame = frames::measure_frame(scene, a.config);
         if (!frame) return frame.error;
         for (frames::FrameFigures f : frame.value) {
-            f.scene = std::filesystem::path(scene).stem().string();
+            f.scene = frames::short_name(scene, a.scenes);
             figures.push_back(std::move(f));
         }
         const bool is_last = &scene == &a.scenes.back();

@@ -3,6 +3,7 @@
 
 #include "app/common/backends.h"
 #include "bench/frames/recorded_rays.h"
+#include "bench/frames/scene_names.h"
 #include "bench/scenes/bench_scene.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
@@ -36,6 +37,21 @@ class CountingBackend : public BatchIntersector {
 };
 
 }  // namespace
+
+TEST_CASE("Scenes of the same file name are told apart by their folders") {
+    const std::vector<std::string> scenes{"x/a/scene.pbrt", "x/b/scene.pbrt", "soup:100",
+                                          "y/b/scene.pbrt", "ball.p3f",       "ball.pbrt"};
+    const auto name = [&](int i) { return frames::short_name(scenes[i], scenes); };
+    CHECK(name(0) == "a/scene");
+    CHECK(name(1) == "x/b/scene");
+    CHECK(name(2) == "soup:100");
+    CHECK(name(3) == "y/b/scene");
+    CHECK(name(4) == "ball.p3f");
+    CHECK(name(5) == "ball.pbrt");
+    CHECK(frames::short_name("x/ball.p3f", {"x/ball.p3f", "x/ball.p3f"}) == "ball");
+    CHECK(frames::short_name("a/s.p3f", {"a/s.p3f", "/a/s.p3f"}) == "a/s.p3f");
+    CHECK(frames::short_name("/a/s.p3f", {"a/s.p3f", "/a/s.p3f"}) == "/a/s.p3f");
+}
 
 TEST_CASE("frames: given scenes, then each has its parts, and the rendering holds most of them") {
     const Folder f;

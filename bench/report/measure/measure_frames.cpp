@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 
 #include "app/common/console.h"
 #include "app/common/output.h"
 #include "bench/frames/measure_frame.h"
+#include "bench/frames/scene_names.h"
 #include "bench/frames/scratch_folder.h"
 #include "bench/report/measure/rendered.h"
 #include "scenes/generate/scene_text.h"
@@ -19,6 +19,15 @@ std::string file_of(const FrameRequest& request, const frames::ScratchFolder& fo
     const std::string path = folder.file(request.scene + ".p3f");
     write_text(path, generate::scene_text(request.scene, request.size));
     return path;
+}
+
+std::string name_of(const FrameRequest& request, const Settings& settings) {
+    if (request.origin != FrameOrigin::given) return request.scene;
+    std::vector<std::string> given;
+    for (const FrameRequest& f : settings.frames) {
+        if (f.origin == FrameOrigin::given) given.push_back(f.scene);
+    }
+    return frames::short_name(request.scene, given);
 }
 
 Result<std::vector<frames::FrameFigures>> figures_of(const FrameRequest& request,
@@ -40,9 +49,7 @@ void measure(const FrameRequest& request, Results& results, const TaskProgress& 
     auto figures = figures_of(request, results.settings, task_progress);
     if (!figures) return print_message("etalon-bench: warning: {}\n", figures.error);
     for (frames::FrameFigures& frame : figures.value) {
-        frame.scene = request.origin == FrameOrigin::given
-                          ? std::filesystem::path(request.scene).stem().string()
-                          : request.scene;
+        frame.scene = name_of(request, results.settings);
         results.frames.add({request.origin, std::move(frame)});
     }
 }
