@@ -61,6 +61,9 @@ class Report {
         if (!write(missing()) || !write_tables(folder_, page_of(results_))) {
             return exit_not_written;
         }
+        if (!results_.missing.empty()) {
+            print_message("etalon-bench: warning: the report is incomplete: {}\n", results_.missing);
+        }
         print_result("{}\n", path_);
         return signals_.signal() != 0 ? exit_signal + signals_.signal() : exit_done;
     }

@@ -91,6 +91,14 @@ TEST_CASE("An interrupted etalon-bench accuracy gives the cases until then", "[a
               .status == 4);
 }
 
+TEST_CASE("An interrupted etalon-bench report says so on standard error, too", "[app]") {
+    const Folder f;
+    const auto r = interrupted(f, "etalon-bench report --quick", "test -s report/index.html");
+    CHECK(r.status == 130);
+    CHECK_THAT(r.err, ContainsSubstring("the report is incomplete: It was interrupted after"));
+    CHECK_THAT(f.read("report/index.html"), ContainsSubstring("It was interrupted after"));
+}
+
 TEST_CASE("An interrupted etalon-bench frames gives the repeats until then", "[app]") {
     const Folder f;
     constexpr int repeats = 100;

@@ -43,6 +43,7 @@ TEST_CASE("A report measures the frames of the scene files in a folder that is g
     f.write("scenes/readme.txt", "none");
     Settings settings = quick_settings();
     REQUIRE(add_frames({f.path("scenes")}, settings).empty());
+    CHECK(frame_tasks(settings).front().what == "frames of " + f.path("scenes/a.p3f"));
     const Results results = measured(settings, FrameOrigin::given);
     REQUIRE(results.frames.list.size() == 2);
     CHECK(results.frames.list[0].figures.scene == "a");

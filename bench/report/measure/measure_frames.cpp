@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 
 #include "app/common/console.h"
 #include "app/common/output.h"
@@ -56,9 +57,13 @@ void measure(const FrameRequest& request, Results& results, const TaskProgress& 
 
 }  // namespace
 
+/// Begins with the scenes that were asked for, in case there is no time for all.
 std::vector<Task> frame_tasks(const Settings& settings) {
+    std::vector<FrameRequest> requests = settings.frames;
+    std::ranges::stable_partition(
+        requests, [](const FrameRequest& f) { return f.origin == FrameOrigin::given; });
     std::vector<Task> tasks;
-    for (const FrameRequest& request : settings.frames) {
+    for (const FrameRequest& request : requests) {
         tasks.push_back({"frames of " + request.scene, seconds_for(request, settings),
                          [request](Results& results, const TaskProgress& task_progress) {
                              if (!task_progress.is_over()) measure(request, results, task_progress);
