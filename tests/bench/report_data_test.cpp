@@ -1,5 +1,7 @@
 // Key figures of the report, and its machine-readable figures.
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/common/backends.h"
@@ -54,6 +56,26 @@ TEST_CASE("Rays that the oracle cannot decide are no hard rays of a report") {
     const Page page = page_of(results);
     CHECK_THAT(key_figure(page, "wrong answers", "exact").note, ContainsSubstring("3,000,000"));
     CHECK(key_figure(page, "wrong answers", "embree-builtin").value == "74.7 %");
+}
+
+TEST_CASE("A hit at another distance is another hit, of backends that promise all bits") {
+    Results results = sample_results();
+    for (speed::RayFigures& r : results.scenes.list.front().kinds.front().tracers) {
+        r.errors.disagreement = {1000, 0, 1, 3};
+    }
+    std::map<std::string, std::string> other_hits;
+    for (const Figure& figure : speed_section(results).figures) {
+        const auto* table = std::get_if<Table>(&figure.content);
+        if (table == nullptr || figure.title != "All numbers of this section") continue;
+        const auto column = std::ranges::find(table->columns, "other hits", &Column::name);
+        REQUIRE(column != table->columns.end());
+        for (const auto& row : table->rows) {
+            other_hits[row[2].text] = row[column - table->columns.begin()].text;
+        }
+    }
+    CHECK(other_hits["bvh"] == "4");
+    CHECK(other_hits["embree-builtin"] == "1");
+    CHECK(other_hits["embree-builtin-robust"] == "1");
 }
 
 TEST_CASE("A report has a speed for each kind of scene, and what it lies between") {

@@ -8,6 +8,7 @@
 #include "bench/report/command_lines.h"
 #include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"
+#include "bench/speed/timed_tracer.h"
 #include "bench/speed/totals.h"
 
 namespace etalon::bench_report {
@@ -122,6 +123,13 @@ const std::vector<Column> columns = {
     {"sample"},       {"wrong of disputed"}, {"disputed"},
 };
 
+/// Returns the number of rays with another answer than the reference's. The bits of t count for
+/// exact tracers only.
+std::size_t other_hits(const RayFigures& r) {
+    const Disagreement& d = r.errors.disagreement;
+    return d.hit_or_miss + d.primitive + (find_tracer(r.tracer).exact ? d.distance : 0);
+}
+
 std::vector<Cell> row_of(const SceneFigures& scene, const KindFigures& kind, const RayFigures& r,
                          const Runs& runs) {
     const auto count = [](std::uint64_t n) { return Cell{grouped(n)}; };
@@ -139,7 +147,7 @@ std::vector<Cell> row_of(const SceneFigures& scene, const KindFigures& kind, con
             {fmt::format("{:.3f}", runs.ratio.spread)},
             {three_digits(runs.ratio_robust.median)},
             {three_digits(runs.wall_scaling.median)},
-            errors(e.disagreement.hit_or_miss + e.disagreement.primitive),
+            errors(other_hits(r)),
             errors(e.sample.errors()),
             count(e.sample.rays),
             errors(e.disputed.errors()),
@@ -158,9 +166,9 @@ Figure all_numbers(const Results& results) {
         }
     }
     return {"All numbers of this section",
-            "“Other hits” counts rays on which this backend does not hit what an exact one hits; "
-            "rays are disputed where not all backends answer alike, to the last bit where they are "
-            "exact.",
+            "“Other hits” counts rays on which this backend does not hit what an exact one hits "
+            "or, if it is exact itself, not at the same distance to the last bit; rays are "
+            "disputed where not all backends hit the same.",
             speed_command(results.settings),
             results.scenes.date,
             std::move(table),
