@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "app/crosscheck/classification.h"
 
@@ -11,11 +13,24 @@ namespace {
 
 constexpr std::size_t few = 3;
 
-/// Value that chi2 of one degree of freedom exceeds by chance in one of twenty cases.
-constexpr double five_percent = 3.841;
-
 std::string rays(std::size_t count) {
     return fmt::format("{} ray{}", count, count == 1 ? "" : "s");
+}
+
+/// Returns how probable it is that one of two that are equally likely happens at most `less` times
+/// of all, or at least `more` times: McNemar's test by the binomial distribution, which is right for
+/// few, too.
+double probability(std::size_t less, std::size_t more) {
+    const auto all = static_cast<double>(less + more);
+    auto k = static_cast<double>(less);
+    double term = std::exp(std::lgamma(all + 1) - std::lgamma(k + 1) - std::lgamma(all - k + 1) -
+                           all * std::numbers::ln2);
+    double sum = 0;
+    for (; k >= 0 && term > 1e-9 * sum; --k) {
+        sum += term;
+        term *= k / (all - k + 1);
+    }
+    return std::min(2 * sum, 1.0);
 }
 
 }  // namespace
@@ -27,7 +42,10 @@ double Contingency::mcnemar() const {
 
 std::string Contingency::in_words() const {
     if (only_a_right + only_b_right == 0) {
-        if (both_wrong == 0) return fmt::format("{} and {} are never wrong.", a, b);
+        if (both_wrong == 0) {
+            return fmt::format("{} and {} are never wrong in {} that the oracle decides.", a, b,
+                               rays(both_right));
+        }
         return fmt::format("{} and {} are wrong in the same {}.", a, b, rays(both_wrong));
     }
     const bool b_is_worse = only_a_right >= only_b_right;
@@ -37,7 +55,7 @@ std::string Contingency::in_words() const {
                                    b_is_worse ? a : b, rays(more));
     if (less == 0) return text + "never the other way round.";
     return text + fmt::format("the other way round in {} (chance alone {} do that).", less,
-                              mcnemar() > five_percent ? "would rarely" : "may");
+                              probability(less, more) < 0.05 ? "would rarely" : "may");
 }
 
 Contingency contingency(const std::vector<Trial>& trials, const CrosscheckedTracer& a,

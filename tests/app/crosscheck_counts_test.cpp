@@ -164,7 +164,17 @@ TEST_CASE("McNemar's test compares the errors of one and of the other", "[crossc
           "rarely do that).");
     CHECK(Contingency{"a", "b", 10, 1, 0, 0}.in_words() ==
           "b is wrong where a is right in 1 ray; never the other way round.");
-    CHECK(Contingency{"a", "b", 10, 0, 0, 0}.in_words() == "a and b are never wrong.");
+    CHECK(Contingency{"a", "b", 10, 0, 0, 0}.in_words() ==
+          "a and b are never wrong in 10 rays that the oracle decides.");
+    const auto may_be_chance = [](std::size_t a, std::size_t b) {
+        const std::string text = Contingency{"a", "b", 0, a, b, 0}.in_words();
+        return text.find("(chance alone may do that)") != std::string::npos;
+    };
+    CHECK(may_be_chance(7, 1));  // 18 of 256
+    CHECK(may_be_chance(1, 1));
+    CHECK_FALSE(may_be_chance(8, 1));  // 20 of 512
+    CHECK(may_be_chance(500, 550));
+    CHECK_FALSE(may_be_chance(5'000'000, 5'100'000));
     CHECK(Contingency{"a", "b", 10, 0, 0, 2}.in_words() == "a and b are wrong in the same 2 rays.");
 }
 
