@@ -6,6 +6,7 @@
 #include <cstring>
 #include <sstream>
 
+#include "core/formats/byte_order_mark.h"
 #include "core/formats/file_text.h"
 
 namespace etalon {
@@ -77,7 +78,8 @@ Fault make_ray(const Line& line, Ray& ray) {
 Result<std::vector<Ray>> read_rays(const std::string& path) {
     const FileText file = read_file(path);
     if (!file.error.empty()) return {{}, fmt::format("{}: error: {}", path, file.error)};
-    std::istringstream in{std::string(file.text())};
+    const std::string_view text = file.text();
+    std::istringstream in{std::string(text.substr(byte_order_mark_size(text)))};
     std::vector<Ray> rays;
     Line parsed;
     int number = 0;

@@ -10,13 +10,12 @@
 #include <fstream>
 #include <functional>
 
+#include "core/formats/byte_order_mark.h"
+
 namespace etalon::convergence {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Some programs begin UTF-8 text with it.
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// Text between two tabs, and the column in which it begins.
 struct Field {
@@ -197,11 +196,12 @@ NumberedImage numbered_image(const fs::path& file, const std::string& stem) {
 
 Result<std::vector<ForeignImage>> read_foreign_table(const std::string& path) {
     std::ifstream file(path);
-    if (!file) return {{}, path + ": error: cannot be read"};
+    std::error_code none;
+    if (!file || fs::is_directory(path, none)) return {{}, path + ": error: cannot be read"};
     Reader reader(path);
     bool is_first = true;
     for (std::string line; std::getline(file, line); is_first = false) {
-        if (is_first && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
+        if (is_first) line.erase(0, byte_order_mark_size(line));
         if (line.ends_with('\r')) line.pop_back();
         if (std::string error = reader.add(line); !error.empty()) return {{}, std::move(error)};
     }

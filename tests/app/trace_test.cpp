@@ -73,6 +73,15 @@ TEST_CASE("trace reports the position of an error in a file of rays", "[app]") {
     }
 }
 
+TEST_CASE("A file of rays may begin with a byte order mark", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    f.write("rays.txt", "\xEF\xBB\xBF" "0 0 5 0 0 -1\n");
+    CHECK(f.etalon("trace ball.p3f --rays rays.txt").out == "hit 4 sphere 1 0 0 1\n");
+    f.write("rays.txt", "\xEF\xBB\xBF" "0 0 5 x\n");
+    CHECK_THAT(f.etalon("trace ball.p3f --rays rays.txt").err, ContainsSubstring(":1:7: error: "));
+}
+
 TEST_CASE("An interrupted trace writes the hits until then", "[app]") {
     const Folder f;
     constexpr int count = 20'000;
