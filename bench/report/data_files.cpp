@@ -37,7 +37,8 @@ Json json_of(const SpdFigures& spd) {
     Json json = {{"family", spd.family},
                  {"size", spd.size},
                  {"primitives", spd.primitives},
-                 {"parse_cpu_seconds", spd.parse}};
+                 {"parse_cpu_seconds", spd.parse},
+                 {"backends", Json::object()}};
     for (const SpdRun& run : spd.runs) {
         json["backends"][run.backend] = {{"build_cpu_seconds", run.build.cpu},
                                          {"render_cpu_seconds", run.render.cpu},
@@ -55,7 +56,9 @@ Json json_of(const MeasuredFrame& frame) {
 }
 
 Json json_of(const ConvergenceFigures& figures) {
-    Json json = {{"scene", figures.request.scene}, {"reference", figures.reference}};
+    Json json = {{"scene", figures.request.scene},
+                 {"reference", figures.reference},
+                 {"curves", Json::array()}};
     for (const convergence::Curve& curve : figures.curves) {
         json["curves"].push_back(convergence::json_of(curve));
     }

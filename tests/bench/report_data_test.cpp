@@ -188,6 +188,17 @@ TEST_CASE("A tracer that gets fewer rays of a case than asked for has a partial 
     }
 }
 
+TEST_CASE("What was interrupted before its first figure is empty in the data, not absent") {
+    const TemporaryFolder folder;
+    Results results = sample_results();
+    for (ConvergenceFigures& figures : results.convergence.list) figures.curves.clear();
+    for (SpdFigures& figures : results.spd.list) figures.runs.clear();
+    REQUIRE(write_data(folder / ".", results, page_of(results)));
+    const json data = json::parse(content_of(folder / "data.json"));
+    CHECK(data["convergence"][0].at("curves") == json::array());
+    CHECK(data["spd"][0].at("backends") == json::object());
+}
+
 TEST_CASE("Embree's own kernels take part in the cases of shapes that Embree has") {
     accuracy::Budget budget;
     budget.rays = 64;
