@@ -12,7 +12,7 @@ constexpr Family table[] = {
     {"terrain", "N", 250'000, most, "a fractal heightfield", terrain},
     {"flake", "N", 432'962, most, "a sphereflake of triangles on a floor", flake},
     {"stadium", "N", 268'000, most,
-     "needles of length 8 around a finely tessellated torus of diameter 0.2", stadium, 128},
+     "needles of length 7 to 10 around a finely tessellated torus of diameter 0.2", stadium, 128},
     {"slivers", "N", 50'000, most, "random needles, 120 times as long as wide", slivers},
     {"sphereflake", "DEPTH", 4, 8, "spheres on spheres: 7381 at depth 4", sphereflake},
     {"mixed", "N", 100'000, most, "spheres, cones, boxes, triangles, polygons in turn", mixed},
