@@ -19,7 +19,7 @@ class AdaptivePasses : public SamplingPasses {
     bool misses_target() const override;
     double progress(std::uint64_t samples) const override;
     void save(StateWriter& bytes) override { transfer(bytes); }
-    void restore(StateReader& bytes) override { transfer(bytes); }
+    void restore(StateReader& bytes, std::uint64_t) override { transfer(bytes); }
 
   private:
     /// A pixel whose samples might be doubled.

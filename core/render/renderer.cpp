@@ -44,11 +44,12 @@ class Renderer {
     }
 
   private:
-    /// Returns whether to stop. However short the time is, an image has one sample of each pixel.
+    /// Returns whether to stop. However short the time is, an image has one sample of each pixel,
+    /// and one that is resumed gets some more.
     bool stopped() const {
         return (control_.stop != nullptr && control_.stop->load()) ||
                (control_.dealer != nullptr && control_.dealer->has_failed()) ||
-               (is_image_ && control_.deadline.is_over());
+               (is_image_ && samples_done_ > samples_resumed_ && control_.deadline.is_over());
     }
 
     /// The film's counts tell what is done in the pass: a pixel has all samples of the pass or
@@ -79,8 +80,8 @@ class Renderer {
         std::uint64_t dropped = 0;
         bytes(dropped);
         samples_dropped_ = dropped;
-        passes.restore(bytes);
         samples_done_ = samples_resumed_ = film_.samples().total_count();
+        passes.restore(bytes, samples_resumed_);
         shown_ = 0;  // the observers of this process have seen nothing
         return !bytes.failed();
     }

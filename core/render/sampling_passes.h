@@ -41,9 +41,9 @@ class SamplingPasses {
     /// Returns whether the samples allowed were too few for a target error.
     virtual bool misses_target() const { return false; }
 
-    /// Write and read the state of next() and expected_error() beside the film.
+    /// Write and read the state of next() and expected_error() beside a film of so many samples.
     virtual void save(StateWriter& bytes) = 0;
-    virtual void restore(StateReader& bytes) = 0;
+    virtual void restore(StateReader& bytes, std::uint64_t samples) = 0;
 
     /// Returns the fraction of the work that is done after so many samples, in [0, 1].
     virtual double progress(std::uint64_t samples) const = 0;

@@ -4,12 +4,18 @@
 
 namespace etalon {
 
-/// Returns how many samples there will be at the deadline if they take as long as those before.
+/// Returns how many samples there will be at the deadline if they take as long as those taken since
+/// its time began. As long as there are none, any number may be affordable.
 std::uint32_t UniformPasses::affordable() const {
     const double part = deadline_.elapsed_fraction();
-    if (!(part > 0)) return samples_;
-    const double at_end = goal_before_ + (goal_ - goal_before_) / part;
-    return static_cast<std::uint32_t>(std::min<double>(at_end, samples_));
+    const double done = goal_ - done_before_;
+    if (!(part > 0 && done > 0)) return samples_;
+    return static_cast<std::uint32_t>(std::min<double>(done_before_ + done / part, samples_));
+}
+
+void UniformPasses::restore(StateReader& bytes, std::uint64_t samples) {
+    bytes(goal_);
+    done_before_ = static_cast<double>(samples) / static_cast<double>(samples_of_one_);
 }
 
 std::optional<SamplingGoal> UniformPasses::next(const Film&) {

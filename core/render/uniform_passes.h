@@ -30,10 +30,7 @@ class UniformPasses : public SamplingPasses {
     bool is_complete(std::uint64_t samples) const override;
     double progress(std::uint64_t samples) const override;
     void save(StateWriter& bytes) override { bytes(goal_); }
-    void restore(StateReader& bytes) override {
-        bytes(goal_);
-        goal_before_ = goal_;
-    }
+    void restore(StateReader& bytes, std::uint64_t samples) override;
 
   private:
     std::uint32_t affordable() const;
@@ -41,9 +38,9 @@ class UniformPasses : public SamplingPasses {
     std::uint64_t all_samples() const { return samples_ * samples_of_one_; }
 
     std::uint32_t samples_, goal_ = 0;
-    std::uint32_t goal_before_ = 0;  ///< goal when the deadline's time began
-    std::uint64_t samples_of_one_;   ///< samples of all pixels if a pixel of rate 1 has one
-    std::uint64_t least_of_one_;     ///< samples that a pass adds at least to a pixel of rate 1
+    double done_before_ = 0;        ///< samples of a pixel of rate 1 when the deadline's time began
+    std::uint64_t samples_of_one_;  ///< samples of all pixels if a pixel of rate 1 has one
+    std::uint64_t least_of_one_;    ///< samples that a pass adds at least to a pixel of rate 1
     SampleRates rates_;
     const Deadline& deadline_;
 };

@@ -252,6 +252,22 @@ TEST_CASE("A checkpoint of shorter rays or of another frame is of another image"
     }
 }
 
+TEST_CASE("A rendering advances in every slice of time", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::string slice =
+        "render ball.p3f --spp 1000000 -t 1 -q -o a.exr --checkpoint c --resume --stats s.json "
+        "--time-limit 0.2";
+    double samples = 0;
+    for (int i = 0; i < 4; ++i) {
+        CAPTURE(i);
+        REQUIRE(f.etalon(slice).status == 0);
+        const double until_then = samples;
+        samples = json::parse(f.read("s.json"))["image"]["spp"];
+        CHECK(samples > until_then);
+    }
+}
+
 TEST_CASE("A damaged checkpoint is refused", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

@@ -1,6 +1,7 @@
 // Renderings that end at a target error or a time limit.
 #include <algorithm>
 #include <atomic>
+#include <cstring>
 #include <mutex>
 
 #include "core/image/metrics/metrics.h"
@@ -256,6 +257,32 @@ TEST_CASE("The last pass before a deadline is as large as there is time for", "[
     UniformPasses all(5, 1, never);
     for (const std::uint32_t goal : {1U, 2U, 4U, 5U}) CHECK(all.next(film)->all == goal);
     CHECK_FALSE(all.next(film).has_value());
+}
+
+TEST_CASE("What was rendered before it was resumed tells nothing of the time left", "[passes]") {
+    const Film film({{0, 0}, {0, 0}});
+    const std::uint32_t goal = 4;
+    const auto goal_at = [&](double time, std::uint64_t samples, bool again) {
+        set_time = 0;
+        const Deadline soon(10, [] { return set_time; });
+        UniformPasses passes(1000, 1, soon);
+        StateReader bytes([&](char* to, std::size_t size) {
+            REQUIRE(size == sizeof goal);
+            std::memcpy(to, &goal, size);
+            return true;
+        });
+        passes.restore(bytes, samples);
+        if (again) passes.next(film);
+        set_time = time;
+        const std::optional<SamplingGoal> next = passes.next(film);
+        return next ? next->all : 0;
+    };
+    CHECK(goal_at(0.1, 4, false) == 8);  // after a whole pass
+    CHECK(goal_at(9.9, 4, false) == 8);
+    CHECK(goal_at(1, 3, false) == 8);  // within a pass: its last sample took a second of ten
+    CHECK(goal_at(5, 3, false) == 5);  // five seconds
+    CHECK(goal_at(2, 4, true) == 16);  // a pass of four took two seconds
+    CHECK(goal_at(8, 4, true) == 9);   // eight seconds
 }
 
 TEST_CASE("Passes of few samples are made larger, but for the first", "[passes]") {
