@@ -52,6 +52,12 @@ Image image_of_color(const Color& c) {
     return {1, 1, 3, std::vector<float>{c.x, c.y, c.z}, Encoding::linear, {}};
 }
 
+/// Returns whether a vector points to a place of the sky: one that is zero, infinite or no number
+/// does not, nor does a ray with such a direction hit anything.
+bool is_direction(const Vec3& v) {
+    return is_finite(v) && v != Vec3(0);
+}
+
 }  // namespace
 
 EnvironmentMap::EnvironmentMap(const Environment& environment, std::vector<std::string>& problems)
@@ -68,7 +74,7 @@ EnvironmentMap::EnvironmentMap(const Environment& environment, std::vector<std::
 }
 
 Color EnvironmentMap::radiance(const Vec3& direction) const {
-    if (!has_skybox_) return environment_.background;
+    if (!has_skybox_ || !is_direction(direction)) return environment_.background;
     const FacePoint p = face_point(direction);
     const Image& face = faces_[p.face].get();
     return environment_.skybox->nearest ? nearest_texel(face, p) : bilinear(face, p);

@@ -119,6 +119,21 @@ TEST_CASE("the old programs' texel is the one before (size - 1) s and (size - 1)
     check_texels(true, {0, 1, 1, 2}, {1, 2, 2, 3});
 }
 
+TEST_CASE("a direction that is none sees the background") {
+    const TemporaryFolder folder;
+    Environment environment = skybox_in(folder, ".exr");
+    environment.skybox->nearest = GENERATE(false, true);
+    std::vector<std::string> problems;
+    const EnvironmentMap map(environment, problems);
+    constexpr double none = std::numeric_limits<double>::quiet_NaN(), most = infinity;
+    for (const Vec3& d : {Vec3(none), Vec3(0, none, 1), Vec3(0), Vec3(0, -most, 1), Vec3(most)}) {
+        CAPTURE(d);
+        CHECK(map.radiance(d) == background);
+    }
+    CHECK(map.radiance(Vec3(1e-320, 0, 0)) == color_of(1));
+    CHECK(map.radiance(Vec3(0, 1e308, -1e308)) == color_of(5));
+}
+
 TEST_CASE("threads that hit a face at the same time use the same image") {
     const TemporaryFolder folder;
     const Environment environment = skybox_in(folder, ".exr");
