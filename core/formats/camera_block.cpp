@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::int64_t largest_side = 65536;
 
+/// Range of a camera's distance in which squares of a scene's lengths keep all their digits.
+constexpr double least_distance = 1e-150, largest_distance = 1e150;
+
 struct Line {
     std::string_view name, old_name;
     int numbers;
@@ -137,8 +140,8 @@ class BlockReader {
 
 /// Returns why nothing can be seen with this camera, or an empty string.
 std::string check_camera(const CameraBlock& b) {
-    const Vec3 view = to_unit_magnitude(b.camera.eye - b.camera.at);
-    const double fov = b.camera.fov_degrees;
+    const Vec3 view = b.camera.eye - b.camera.at;
+    const double distance = max_abs(view), fov = b.camera.fov_degrees;
     if (std::min(b.width, b.height) < 1 || std::max(b.width, b.height) > largest_side) {
         return fmt::format("the resolution is {} x {}; expected 1 to {} pixels a side", b.width,
                            b.height, largest_side);
@@ -147,6 +150,10 @@ std::string check_camera(const CameraBlock& b) {
         return fmt::format("the angle is {}; expected more than 0 and less than 180", fov);
     }
     if (view == Vec3(0)) return "the camera's eye is the point it looks at";
+    if (!(distance >= least_distance && distance <= largest_distance)) {
+        return fmt::format("the camera's eye is {} from the point it looks at; expected {} to {}",
+                           distance, least_distance, largest_distance);
+    }
     if (to_unit_magnitude(b.camera.up).cross(view) == Vec3(0)) return "'up' is along the view";
     return {};
 }

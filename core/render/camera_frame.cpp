@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/numerics/rounding.h"
+
 namespace etalon {
 namespace {
 
@@ -37,7 +39,7 @@ CameraFrame pinhole_frame(const Camera& c, const Vec2& size) {
            to_ndc] = frame;
     n = back / distance;
     to_eye = distance * n;
-    const Vec3 right = c.up.cross(n);
+    const Vec3 right = to_unit_magnitude(to_unit_magnitude(c.up).cross(n));
     const double length = std::sqrt(right.dot(right));
     orthonormal_basis(n, u, v);  // any basis will do for an `up` along the view direction
     if (length > 0) u = right / length;

@@ -136,11 +136,18 @@ TEST_CASE("an unusable camera is an error with the reason") {
     CHECK(load_p3f_text(camera_with("resolution", "resolution 65536 1")).scene);
 }
 
-TEST_CASE("a camera of any scale is judged alike") {
-    for (const std::string scale : {"e-200", "e200"}) {
-        const std::string text = camera_with("eye", "eye 0 0 5" + scale);
-        CHECK(load_p3f_text(text).scene);
+TEST_CASE("a camera is usable where the squares of lengths are in range") {
+    for (const std::string distance : {"1e-150", "1e+150"}) {
+        CHECK(load_p3f_text(camera_with("eye", "eye 0 0 " + distance)).scene);
     }
+    for (const std::string distance : {"1e-151", "1e+151", "1e+308"}) {
+        const LoadResult r = load_p3f_text(camera_with("eye", "eye 0 0 " + distance));
+        CHECK_FALSE(r.scene);
+        CHECK(messages(r).back() == "a.p3f:1:1: error: the camera's eye is " + distance +
+                                        " from the point it looks at; expected 1e-150 to 1e+150" +
+                                        errors_end);
+    }
+    CHECK(load_p3f_text(camera_with("up", "up 0 1e-300 0")).scene);
 }
 
 TEST_CASE("a lens that is none becomes a pinhole") {
