@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "core/base/link_target.h"
+#include "core/base/stream_to.h"
 #include "core/base/uninterrupted.h"
 
 namespace etalon {
@@ -61,9 +62,10 @@ Errno write_file(const std::string& path, std::string_view content) {
     if (::stat(path.c_str(), &present) != 0) {
         return write_and_rename(link_target(path), content, nullptr);
     }
+    if (const int stream = stream_to(present); stream >= 0) return write_all(stream, content);
     if (::access(path.c_str(), W_OK) != 0) return errno;
     if (!S_ISREG(present.st_mode)) return write_in_place(path, content);
-    return write_and_rename(fs::canonical(path), content, &present);
+    return write_and_rename(link_target(path), content, &present);
 }
 
 }  // namespace

@@ -1,28 +1,32 @@
 #include "scenes/generate/scene_output.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
-#include <filesystem>
 #include <stdexcept>
 #include <system_error>
 
 #include "app/common/console.h"
+#include "core/base/stream_to.h"
 
 namespace etalon::generate {
 namespace {
 
-namespace fs = std::filesystem;
-
-bool is_written_in_place(const std::string& path) {
-    std::error_code ignored;
-    return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
+/// Opens what is written in place; nullptr if that fails.
+std::FILE* open_in_place(const std::string& path, int stream) {
+    return stream < 0 ? std::fopen(path.c_str(), "wb") : ::fdopen(::dup(stream), "wb");
 }
 
 }  // namespace
 
 Output::Output(const std::string& path) : path_(path) {
     if (path.empty()) return;
-    if (is_written_in_place(path)) {
-        device_ = std::fopen(path.c_str(), "wb");
+    struct stat present = {};
+    const bool exists = ::stat(path.c_str(), &present) == 0;
+    const int stream = exists ? stream_to(present) : -1;
+    if (stream >= 0 || (exists && !S_ISREG(present.st_mode))) {
+        device_ = open_in_place(path, stream);
         require(device_ != nullptr);
     } else {
         file_.emplace(path);

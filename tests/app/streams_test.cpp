@@ -131,6 +131,29 @@ TEST_CASE("Standard output takes one result, in a format that it can have", "[ap
     CHECK(f.etalon("render ball.p3f -o - --aov N").status == 0);
 }
 
+TEST_CASE("A file to which a stream is redirected keeps what the stream wrote", "[app]") {
+    const Used f;
+    const std::string render = programs + "etalon render ball.p3f -q -o a.exr --stats ";
+    f.write("log", "before\n");
+    CHECK(f.shell(render + "/dev/stdout >>log; echo after >>log").status == 0);
+    const std::string log = f.read("log");
+    CHECK(log.rfind("before\n{\n", 0) == 0);
+    CHECK_THAT(log, Catch::Matchers::EndsWith("}\nafter\n"));
+    const std::pair<std::string, std::string> streams[] = {
+        {"etalon trace ball.p3f --rays rays.txt -o /dev/stdout", ">both"},
+        {"etalon trace ball.p3f --rays rays.txt -o /dev/stderr", "2>both >&2"},
+        {"etalon trace ball.p3f --rays rays.txt -o /dev/fd/3", "3>both >&3"},
+        {"etalon trace ball.p3f --rays rays.txt -o both", ">both"},
+        {"etalon-scenes tetra --size 2 -o /dev/stdout", ">both"}};
+    for (const auto& [command, redirected] : streams) {
+        INFO(command);
+        const std::string line = programs + command;
+        REQUIRE(f.shell(line.substr(0, line.find(" -o ")) + " >alone").status == 0);
+        CHECK(f.shell("{ echo before; " + line + "; echo after; } " + redirected).status == 0);
+        CHECK(f.read("both") == "before\n" + f.read("alone") + "after\n");
+    }
+}
+
 TEST_CASE("The image is written even if its statistics cannot be", "[app]") {
     const Used f;
     for (const std::string out : {">/dev/full", ">&-", ">&- 2>&-"}) {
