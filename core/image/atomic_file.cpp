@@ -23,8 +23,8 @@ Errno close_after(int file, Errno earlier) {
     return earlier != 0 ? earlier : closing;
 }
 
-Errno write_in_place(const std::string& path, std::string_view content) {
-    const int file = open_file(path.c_str(), O_WRONLY);
+Errno write_in_place(const std::string& path, std::string_view content, int flags = 0) {
+    const int file = open_file(path.c_str(), O_WRONLY | flags);
     return file < 0 ? errno : close_after(file, write_all(file, content));
 }
 
@@ -57,6 +57,12 @@ Errno write_and_rename(const std::string& path, std::string_view content,
     return error;
 }
 
+/// Returns whether a file may be written that none may replace: because it is a mount point, or
+/// another user's in a folder such as /tmp.
+bool forbids_rename(Errno error) {
+    return error == EBUSY || error == EPERM || error == EXDEV;
+}
+
 Errno write_file(const std::string& path, std::string_view content) {
     struct stat present = {};
     if (::stat(path.c_str(), &present) != 0) {
@@ -65,7 +71,8 @@ Errno write_file(const std::string& path, std::string_view content) {
     if (const int stream = stream_to(present); stream >= 0) return write_all(stream, content);
     if (::access(path.c_str(), W_OK) != 0) return errno;
     if (!S_ISREG(present.st_mode)) return write_in_place(path, content);
-    return write_and_rename(link_target(path), content, &present);
+    const Errno error = write_and_rename(link_target(path), content, &present);
+    return forbids_rename(error) ? write_in_place(path, content, O_TRUNC) : error;
 }
 
 }  // namespace

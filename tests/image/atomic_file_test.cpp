@@ -143,6 +143,20 @@ TEST_CASE("a folder or file without write permission stays as it is", "[needs_or
     CHECK(folder.names() == std::vector<std::string>{"file"});
 }
 
+TEST_CASE("another user's file that may be written, but not replaced, is written",
+          "[needs_ordinary_user]") {
+    SKIP_UNLESS(::geteuid() == 0, "only root can give a folder to another user");
+    const TemporaryFolder folder;
+    put(folder / "file", std::string(1000, 'x'));
+    ::chmod((folder / "file").c_str(), 0666);
+    ::chmod((folder / ".").c_str(), 01777);
+    const OrdinaryUser user;
+    SKIP_UNLESS(::geteuid() != 0, "root cannot become another user here");
+    CHECK(write_file_atomically(folder / "file", "new").empty());
+    CHECK(content_of(folder / "file") == "new");
+    CHECK(folder.names() == std::vector<std::string>{"file"});
+}
+
 TEST_CASE("a disk that fills up leaves the old file and no temporary one") {
     const TemporaryFolder folder;
     put(folder / "f", "old");
