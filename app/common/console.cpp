@@ -69,6 +69,7 @@ std::string_view view_of(const fmt::memory_buffer& text) {
 
 void prepare_standard_streams() {
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) >= 0) continue;
         // A directory always exists, and gets the lowest free descriptor.

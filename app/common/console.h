@@ -17,7 +17,7 @@ namespace etalon {
 /// Prepares the standard streams; a program must call this first. If the caller closed some of the
 /// descriptors 0 to 2, they are occupied by files that can be neither read nor written; otherwise
 /// the next file opened, such as an image, would receive the messages. Writing to a pipe without a
-/// reader becomes an ordinary error.
+/// reader, or beyond the limit of a file's size, becomes an ordinary error.
 void prepare_standard_streams();
 
 /// Writes whole lines to standard error, as far as possible; the rest is lost. Each line is made

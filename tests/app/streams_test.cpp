@@ -154,6 +154,21 @@ TEST_CASE("A file to which a stream is redirected keeps what the stream wrote", 
     }
 }
 
+TEST_CASE("A limit of file sizes is reported like a full disk", "[app]") {
+    const Used f;
+    const std::string limited = "ulimit -c 0; ulimit -f 8; exec '" + programs +  // 4 KiB
+                                "etalon' render ball.p3f -q ";
+    const auto r = f.shell(limited + "-o big.exr --resolution 200x100");
+    CHECK(r.status == 4);
+    CHECK_THAT(r.err, ContainsSubstring("big.exr: cannot be written: File too large"));
+    const auto kept = f.shell(limited +
+                              "-o a.png --spp 2000 --checkpoint c --checkpoint-every 0.01"
+                              " --time-limit 0.5");
+    CHECK(kept.status == 0);
+    CHECK_THAT(kept.err, ContainsSubstring("warning: checkpoint c: cannot be written: File too"));
+    CHECK(f.shell("ls -A").out == "a.png\nball.p3f\nrays.txt\nwhole.exr\n");
+}
+
 TEST_CASE("The image is written even if its statistics cannot be", "[app]") {
     const Used f;
     for (const std::string out : {">/dev/full", ">&-", ">&- 2>&-"}) {
