@@ -1,11 +1,13 @@
 #include "app/common/console.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <climits>
 #include <csignal>
 #include <exception>
 #include <mutex>
@@ -35,6 +37,32 @@ void hold(std::string_view text) noexcept {
         held.text += text;
     } catch (const std::exception&) {
     }
+}
+
+/// Writes to standard error as long as it takes more within so many milliseconds: a pipe that no
+/// one reads, or a terminal that was stopped, would take no more for ever. Returns whether it did.
+bool write_within(int patience, std::string_view text) noexcept {
+    // Where there is room at all, there is room for this much.
+    const std::size_t most = ::isatty(STDERR_FILENO) != 0 ? 128 : PIPE_BUF;
+    while (!text.empty()) {
+        pollfd stream = {STDERR_FILENO, POLLOUT, 0};
+        if (uninterrupted([&] { return ::poll(&stream, 1, patience); }) == 0) return false;
+        const std::string_view piece = text.substr(0, most);
+        if (write_all(STDERR_FILENO, piece) != 0) break;
+        text.remove_prefix(piece.size());
+    }
+    return true;
+}
+
+/// Held while lines are written to standard error, which long ones are in pieces.
+std::mutex writing;
+
+/// Writes a message to standard error. Once one had to be dropped, the others are not waited for.
+void write_patiently(std::string_view text) noexcept {
+    constexpr int patience = 2000;
+    static std::atomic<bool> was_stuck = false;
+    const std::lock_guard lock(writing);
+    if (!write_within(was_stuck ? 0 : patience, text)) was_stuck = true;
 }
 
 void note_failure(Errno failure) {
@@ -89,17 +117,19 @@ std::string held_messages() {
 void write_message(std::string_view text) noexcept {
     if (held.is_on) return hold(text);
     if (is_printable_lines(text)) {  // needs no memory, which may have run out
-        write_all(STDERR_FILENO, text);
+        write_patiently(text);
         return;
     }
     try {
-        write_all(STDERR_FILENO, printable_lines(text));
+        write_patiently(printable_lines(text));
     } catch (const std::exception&) {  // out of memory, even for the message
     }
 }
 
 void write_fleeting(std::string_view line) noexcept {
-    write_all(STDERR_FILENO, line);
+    if (held.is_on) return;
+    const std::unique_lock lock(writing, std::try_to_lock);
+    if (lock) write_within(0, line);
 }
 
 bool write_result(std::string_view text) noexcept {

@@ -20,12 +20,12 @@ namespace etalon {
 /// reader, or beyond the limit of a file's size, becomes an ordinary error.
 void prepare_standard_streams();
 
-/// Writes whole lines to standard error, as far as possible; the rest is lost. Each line is made
-/// printable().
+/// Writes whole lines to standard error, as far as possible; the rest is lost, also if no one reads
+/// it for seconds. Each line is made printable().
 void write_message(std::string_view text) noexcept;
 
-/// Writes a line to the terminal at standard error that is to be replaced by the next message, with
-/// what controls the terminal.
+/// Writes to standard error what the next such line makes obsolete, with what controls the
+/// terminal. Does not wait: it is lost if there is no room for it now.
 void write_fleeting(std::string_view line) noexcept;
 
 /// Stores messages from now on instead of writing them to standard error.
@@ -56,6 +56,15 @@ void print_message(fmt::format_string<T...> format, T&&... values) noexcept {
             write_message(fmt::vformat(format, fmt::make_format_args(shown...)));
         }(shown_value(values)...);
     } catch (const std::exception&) {  // out of memory, even for the message
+    }
+}
+
+/// Formats a message for write_fleeting().
+template <class... T>
+void print_fleeting(fmt::format_string<T...> format, T&&... values) noexcept {
+    try {
+        write_fleeting(fmt::format(format, std::forward<T>(values)...));
+    } catch (const std::exception&) {  // out of memory
     }
 }
 

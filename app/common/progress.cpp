@@ -51,11 +51,11 @@ void Progress::update(double part) {
 void Progress::print(double part, Clock::time_point now) {
     const double elapsed = seconds(now - start_);
     if (terminal_) {
-        const std::string line = progress_line(what_, part, elapsed, columns());
-        return write_fleeting("\r" + line + "\x1b[K");
+        return print_fleeting("\r{}\x1b[K", progress_line(what_, part, elapsed, columns()));
     }
     const double left = part > 0 ? elapsed * (1 - part) / part : 0;
-    print_message("{}: {:.0f} %, {:.1f} s, {:.0f} s left\n", what_, 100 * part, elapsed, left);
+    print_fleeting("{}: {:.0f} %, {:.1f} s, {:.0f} s left\n", printable(what_), 100 * part, elapsed,
+                   left);
 }
 
 }  // namespace etalon

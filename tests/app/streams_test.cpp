@@ -63,6 +63,16 @@ TEST_CASE("A full, closed or unread log loses no image and stops nothing", "[app
     CHECK(unread.status == 0);
 }
 
+TEST_CASE("A log that no one reads any more stops nothing", "[app]") {
+    const Used f;
+    f.write("odd.p3f", small_scene + "sphere 1 2 3 4\n");  // warned of
+    const auto r =
+        f.shell("mkfifo log; exec 3<>log; head -c 65536 /dev/zero >&3; timeout -s KILL 60 '" +
+                programs + "etalon' render odd.p3f --spp 10000000 --time-limit 6 -o a.exr 2>log");
+    CHECK(r.status == 0);
+    CHECK(f.has("a.exr"));
+}
+
 TEST_CASE("A message goes into no file that was opened in place of a closed stream", "[app]") {
     const Used f;
     const std::string command = "'" + programs + "etalon' render ball.p3f -o ";
