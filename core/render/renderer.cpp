@@ -52,8 +52,7 @@ class Renderer {
                (is_image_ && samples_done_ > samples_resumed_ && control_.deadline.is_over());
     }
 
-    /// The film's counts tell what is done in the pass: a pixel has all samples of the pass or
-    /// none.
+    /// The film's counts tell what is done in the pass.
     template <class Bytes>
     void transfer(Bytes& bytes) {
         film_.transfer(bytes);

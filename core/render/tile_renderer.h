@@ -51,8 +51,8 @@ class TileRenderer {
     /// Returns the numbers of the tiles that have not reached the goal.
     std::vector<std::size_t> unfinished_tiles() const;
 
-    /// Adds samples to the pixels of a tile until they reach the goal, or until interrupted() at
-    /// the end of a row.
+    /// Adds samples to the pixels of a tile until they reach the goal, or until interrupted(),
+    /// which is asked at the end of a row and within a pixel that lacks many samples.
     TileResult render(std::size_t tile, const std::function<bool()>& interrupted);
 
     /// Transfers what another process needs to render a tile: the goals of its pixels, and the
@@ -78,7 +78,8 @@ class TileRenderer {
 
   private:
     std::uint32_t first_sample(std::size_t pixel) const;
-    void add_pixel(int x, int y, SampleBatch& batch) const;
+    template <class Stopped>
+    void add_pixel(int x, int y, const Stopped& stopped, SampleBatch& batch) const;
 
     const RenderSettings& settings_;
     const Integrator& integrator_;

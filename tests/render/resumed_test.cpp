@@ -108,6 +108,38 @@ TEST_CASE("An image stopped many times and resumed has the bits of one never sto
     }
 }
 
+TEST_CASE("An image stopped within pixels of many samples resumes to the same bits", "[resumed]") {
+    const TestScene scene = mixed_scene(3, 2);
+    for (RenderSettings settings : variants(scene)) {
+        settings.samples_per_pixel = 1 << 13;
+        const Rendering whole = rendered(scene, settings);
+        check_same(rendered_in_parts(scene, settings, 7), whole);
+    }
+}
+
+TEST_CASE("A stop is heeded within a pixel", "[resumed]") {
+    const TestScene scene = mixed_scene(1, 1);
+    RenderSettings settings = scene.settings;
+    settings.samples_per_pixel = 1 << 16;
+    std::atomic<bool> stop = false;
+    struct Stopper : MemoryKeeper {
+        explicit Stopper(std::atomic<bool>& flag) : MemoryKeeper(1 << 30), stop(flag) {}
+        bool is_due() override {
+            stop = ++asked > 8;
+            return false;
+        }
+        std::atomic<bool>& stop;
+        std::atomic<int> asked = 0;
+    } stopper(stop);
+    RunControl control;
+    control.keeper = &stopper;
+    control.stop = &stop;
+    const Rendering r = rendered(scene, settings, control);
+    CHECK_FALSE(r.complete);
+    CHECK(r.samples > 1);
+    CHECK(r.samples < (1 << 16));
+}
+
 TEST_CASE("Keeping states changes nothing", "[resumed]") {
     const TestScene scene = mixed_scene(70, 50);
     for (const RenderSettings& settings : variants(scene)) {
