@@ -75,6 +75,7 @@ class Renderer {
     bool restore(SamplingPasses& passes) {
         StateReader& bytes = *control_.resumed;
         transfer(bytes);
+        bytes.expect(is_goal_possible());
         bytes(resumed_counts_);
         std::uint64_t dropped = 0;
         bytes(dropped);
@@ -83,6 +84,22 @@ class Renderer {
         passes.restore(bytes, samples_resumed_);
         shown_ = 0;  // the observers of this process have seen nothing
         return !bytes.failed();
+    }
+
+    /// Returns whether the goal is one of this image, of at most the samples that it is to have.
+    bool is_goal_possible() const {
+        const std::size_t pixels = film_.samples().size();
+        const SampleRates& rates = film_.rates();
+        if (const auto& goals = tiles_.goal.of_pixel; !goals.empty() && goals.size() != pixels) {
+            return false;
+        }
+        if (!rates.empty() && rates.size() != pixels) return false;
+        const auto [first, last] = settings_.sample_range();
+        for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+            const std::uint64_t rate = rates.empty() ? 1 : rates[pixel];
+            if (tiles_.goal.of(pixel) > (last - first) * rate) return false;
+        }
+        return true;
     }
 
     RayCounts ray_counts() const {

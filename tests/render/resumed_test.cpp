@@ -172,3 +172,45 @@ TEST_CASE("A state that does not match the image is an error, and leaves no imag
     rendered(mixed_scene(71, 50), variants(scene)[1], resumed);
     CHECK(reader.failed());
 }
+
+TEST_CASE("A state whose goals are another image's is an error", "[resumed]") {
+    const TestScene scene = mixed_scene(70, 50);
+    const RenderSettings settings = variants(scene)[0];
+    const std::uint64_t one_goal = 1;
+    const std::uint32_t goal = 8, endless = 0xFFFFFFFF;
+    // Pieces of the state from its end on: what follows the goals are seven values.
+    const auto is_read = [&](const std::function<void(std::vector<std::string>&)>& change) {
+        struct Forger : MemoryKeeper {
+            Forger() : MemoryKeeper(300) {}
+            void keep(const std::function<void(StateWriter&)>& save) override {
+                pieces.clear();
+                StateWriter writer([&](std::string_view bytes) { pieces.emplace_back(bytes); });
+                save(writer);
+            }
+            std::vector<std::string> pieces;
+        } keeper;
+        RunControl control;
+        control.keeper = &keeper;
+        rendered(scene, settings, control);
+        change(keeper.pieces);
+        std::string state;
+        for (const std::string& piece : keeper.pieces) state += piece;
+        std::string_view bytes = state;
+        StateReader reader = reader_of(bytes);
+        RunControl resumed;
+        resumed.resumed = &reader;
+        rendered(scene, settings, resumed);
+        return !reader.failed();
+    };
+    const auto bytes_of = [](const auto& value) {
+        return std::string(reinterpret_cast<const char*>(&value), sizeof value);
+    };
+    CHECK(is_read([](auto&) {}));
+    CHECK_FALSE(is_read([&](auto& pieces) {
+        std::string* const goals = &pieces.end()[-7];
+        REQUIRE(*goals == "");
+        *goals = bytes_of(goal);
+        goals[-1] = bytes_of(one_goal);
+    }));
+    CHECK_FALSE(is_read([&](auto& pieces) { pieces.end()[-9] = bytes_of(endless); }));
+}
