@@ -1,6 +1,7 @@
 #include "app/render/live_views.h"
 
 #include <chrono>
+#include <system_error>
 #include <thread>
 
 #include "app/common/console.h"
@@ -23,11 +24,20 @@ std::string LiveViews::open_page(const RenderSettings& settings) {
     return {};
 }
 
+void LiveViews::start_tev() {
+    try {
+        tev_.emplace(a_.tev, a_.scene.path, *image_);
+    } catch (const std::system_error& e) {  // the system starts no more threads
+        print_message("etalon: warning: tev: {}; rendering goes on without it\n",
+                      e.code().message());
+    }
+}
+
 void LiveViews::attach(const RenderSettings& settings, RunControl& control) {
     if (!a_.tev.empty()) {
         image_.emplace(settings);
-        tev_.emplace(a_.tev, a_.scene.path, *image_);
-        control.observers.push_back(image_->observer());
+        start_tev();
+        if (tev_) control.observers.push_back(image_->observer());
     }
     if (page_) {
         control.estimates_error = true;

@@ -31,6 +31,8 @@ class LiveViews {
     void show_end();
 
   private:
+    void start_tev();
+
     const RenderArguments& a_;
     std::optional<LivePage> page_;
     std::optional<LiveImage> image_;

@@ -135,3 +135,14 @@ TEST_CASE("A thread that cannot be started is reported, or changes nothing",
         for (long at = 1; at <= 4; ++at) check(f, task, "thread", at, whole);
     }
 }
+
+TEST_CASE("A view whose thread cannot be started is left out", "[faults][needs_preload]") {
+    SKIP_UNLESS(!is_sanitized, no_preload);
+    const Folder f;
+    const Task task = rendering("features/glass.p3f", "-b bvh -t 1 --tev 127.0.0.1:1");
+    const Whole whole(f, task, "thread");
+    const ProgramResult r = run(f, task, "thread", 1);
+    CHECK(r.status == 0);
+    CHECK_THAT(r.err, ContainsSubstring("warning: tev: Resource temporarily unavailable"));
+    CHECK(f.read("image.exr") == whole.image);
+}
