@@ -49,14 +49,21 @@ class SpinBarrier {
   public:
     explicit SpinBarrier(int threads) : missing_(threads) {}
 
-    void arrive_and_wait() {
+    /// Returns whether all threads arrived: not if one of them cannot come.
+    bool arrive_and_wait() {
         --missing_;
         while (missing_ > 0) {
+            if (is_given_up_) return false;
         }
+        return true;
     }
+
+    /// Lets the threads that wait for others go.
+    void give_up() { is_given_up_ = true; }
 
   private:
     std::atomic<int> missing_;
+    std::atomic<bool> is_given_up_ = false;
 };
 
 /// Times of one thread's share of the work.
@@ -108,13 +115,16 @@ Duration run_pinned(int threads, const std::function<void()>& work, const Clocks
     std::vector<ThreadRun> runs(static_cast<std::size_t>(threads));
     SpinBarrier barrier(threads);
     std::vector<std::jthread> pinned_threads;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        pinned_threads.emplace_back([&, k] {
-            ThreadRun& run = runs[k];
-            run.attempt([&] { pin_to(core_ids.at(k)); });
-            barrier.arrive_and_wait();
-            run.attempt([&] { run.measure(work, clocks); });
-        });
+    const auto run_one = [&](std::size_t k) {
+        ThreadRun& run = runs[k];
+        run.attempt([&] { pin_to(core_ids.at(k)); });
+        if (barrier.arrive_and_wait()) run.attempt([&] { run.measure(work, clocks); });
+    };
+    try {
+        for (std::size_t k = 0; k < runs.size(); ++k) pinned_threads.emplace_back(run_one, k);
+    } catch (...) {  // the system starts no more
+        barrier.give_up();
+        throw;
     }
     pinned_threads.clear();  // joins
     return total(runs);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <thread>
 
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
@@ -133,6 +134,30 @@ TEST_CASE("A thread that cannot be started is reported, or changes nothing",
         task.command.back() = '4';
         const Whole whole(f, task, "thread");
         for (long at = 1; at <= 4; ++at) check(f, task, "thread", at, whole);
+    }
+}
+
+TEST_CASE("A thread that cannot be started ends a measurement of speed",
+          "[faults][needs_preload][needs_two_cores]") {
+    SKIP_UNLESS(!is_sanitized, no_preload);
+    SKIP_UNLESS(std::thread::hardware_concurrency() >= 2, "a single core");
+    const Folder f;
+    const auto speed = [&](int at) {
+        return f.shell(fmt::format(
+            "timeout -s KILL 60 env FAILS=thread FAILS_AT={} FAILS_AFTER= FAILS_COUNT=count "
+            "LD_PRELOAD='" ETALON_BINARY_DIR "/lib/failing_calls.so' '" ETALON_BINARY_DIR
+            "/bin/etalon-bench' speed --scene spheres:20 --threads 2 --max-rays 100 --repeat 1 "
+            "--backends bvh --oracle 0 --rays camera",
+            at));
+    };
+    REQUIRE(speed(0).status == 0);
+    const int threads = std::stoi(f.read("count"));
+    REQUIRE(threads >= 2);
+    for (int at = 1; at <= threads; ++at) {
+        const ProgramResult r = speed(at);
+        CAPTURE(at, r.status, r.err);
+        CHECK((r.status == 0 || r.status == 3));
+        if (r.status == 3) CHECK_THAT(r.err, ContainsSubstring("error: "));
     }
 }
 
