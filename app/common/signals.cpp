@@ -1,6 +1,9 @@
 #include "app/common/signals.h"
 
+#include <time.h>
+
 #include <csignal>
+#include <cstdint>
 
 namespace etalon {
 namespace {
@@ -12,10 +15,31 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_alw
 /// Handled signals. A closed terminal sends SIGHUP.
 constexpr int caught[] = {SIGINT, SIGTERM, SIGHUP};
 
+/// Milliseconds after a signal in which others are the same request: `timeout` sends it to the
+/// program and then to its group, which has the program in it.
+constexpr std::int64_t same_request = 1000;
+
+/// Milliseconds since any fixed moment, of the first signal; 0 if there was none.
+std::atomic<std::int64_t> first_signal = 0;
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+
+std::int64_t milliseconds() {
+    timespec time = {};
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return 1000 * static_cast<std::int64_t>(time.tv_sec) + time.tv_nsec / 1'000'000 + 1;
+}
+
 void handle(int number) {
-    was_requested = false;
-    signal_number = number;
-    was_raised = true;
+    const std::int64_t now = milliseconds();
+    std::int64_t first = 0;
+    if (first_signal.compare_exchange_strong(first, now)) {
+        was_requested = false;
+        signal_number = number;
+        was_raised = true;
+    } else if (now - first > same_request) {
+        std::signal(number, SIG_DFL);
+        std::raise(number);  // ends the program when this returns
+    }
 }
 
 /// Returns the current action of a signal.
@@ -35,7 +59,7 @@ bool outlives(int number) {
 SignalGuard::SignalGuard() {
     struct sigaction action = {};
     action.sa_handler = handle;
-    action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+    action.sa_flags = SA_RESTART;
     for (const int number : caught) {
         if (!outlives(number)) sigaction(number, &action, nullptr);
     }

@@ -5,7 +5,9 @@
 namespace etalon {
 
 /// During its lifetime the first SIGINT, SIGTERM or SIGHUP only sets a flag, so that results so far
-/// can be written; a second one ends the program at once. A SIGHUP that was ignored stays ignored.
+/// can be written; another one, of any of these kinds, ends the program at once, unless it comes
+/// within a second, as those that `timeout` sends in pairs do. A SIGHUP that was ignored
+/// stays ignored.
 class SignalGuard {
   public:
     SignalGuard();

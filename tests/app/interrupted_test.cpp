@@ -155,3 +155,33 @@ TEST_CASE("An interrupted render writes the image rendered so far", "[app]") {
     // No partial file remains; its name would begin with a dot.
     CHECK(f.shell("rm out err loop; ls -A").out == "ball.p3f\ncut.exr\n");
 }
+
+TEST_CASE("Signals that come in a pair are one request", "[app]") {
+    const Folder f;
+    for (const std::string second : {"INT", "TERM"}) {
+        const auto r =
+            interrupted(f,
+                        "etalon-bench speed --scene spheres:20 --backends bvh --rays "
+                        "camera --repeat 1000 --oracle 0.02 --json s.json",
+                        "grep -q '^build *bvh' out", "INT $pid; sleep 0.01; kill -" + second);
+        CHECK(r.status == 130);
+        CHECK(json::parse(f.read("s.json"))["stopped"] == "signal");
+        f.shell("rm s.json");
+    }
+}
+
+TEST_CASE("A later signal, of any kind, ends the program at once", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    f.shell("mkfifo pipe");
+    for (const auto& [second, status] : {std::pair{"INT", 130}, std::pair{"TERM", 143}}) {
+        const auto r = f.shell(
+            "sleep 60 <pipe & reader=$!; '" ETALON_BINARY_DIR
+            "/bin/etalon' render ball.p3f --resolution 400x300 --spp 10000000 -q -o - >pipe & "
+            "pid=$!; until " +
+            has_worked(50) +
+            "; do sleep 0.02; done; kill -INT $pid; sleep 2; kill -0 $pid && kill -" + second +
+            " $pid; wait $pid; status=$?; kill $reader; exit $status");
+        CHECK(r.status == status);
+    }
+}
