@@ -40,14 +40,19 @@ bool is_same_file(const std::string& a, const std::string& b) {
     const auto place_of = [&](const std::string& path) {
         return fs::weakly_canonical(fs::absolute(link_target(path), none), none);
     };
-    return place_of(a) == place_of(b);
+    const fs::path place = place_of(a);
+    return place.empty() ? a == b : place == place_of(b);
 }
 
 /// Returns why a new file cannot be made in the folder; empty if it looks possible.
 std::string check_folder(const std::string& folder, const std::string& name) {
-    std::error_code none;
     const std::string place = folder.empty() ? "." : folder;
-    if (!fs::is_directory(place, none)) return place + " is not a directory";
+    std::error_code error;
+    if (!fs::is_directory(place, error)) {
+        const bool is_known = !error || error == std::errc::no_such_file_or_directory ||
+                              error == std::errc::not_a_directory;
+        return place + (is_known ? " is not a directory" : ": " + error.message());
+    }
     const long longest = ::pathconf(place.c_str(), _PC_NAME_MAX);
     if (longest > 0 && name.size() > static_cast<std::size_t>(longest)) {
         return std::generic_category().message(ENAMETOOLONG);

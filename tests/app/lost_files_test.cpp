@@ -148,3 +148,20 @@ TEST_CASE("What cannot be written is said before the rendering", "[app]") {
     CHECK(f.etalon("render ball.p3f -q -o good.exr").status == 0);
     CHECK(f.has("there/a.exr"));
 }
+
+TEST_CASE("Two outputs whose places are unknown are two files", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    f.shell("ln -s loop loop");
+    const std::string name(300, 'x');
+    const std::pair<std::string, std::string> cases[] = {
+        {"loop/", "Too many levels of symbolic links"}, {name, "File name too long"}};
+    for (const auto& [begin, reason] : cases) {
+        const auto r =
+            f.etalon("render ball.p3f -q -o " + begin + "a.exr --stats " + begin + "b.json");
+        CHECK(r.status == 4);
+        CHECK_THAT(r.err, ContainsSubstring("a.exr: cannot be written: "));
+        CHECK_THAT(r.err, ContainsSubstring(reason));
+    }
+    CHECK(f.etalon("render ball.p3f -q -o loop/a.exr --stats loop/a.exr").status == 2);
+}
