@@ -152,13 +152,18 @@ TEST_CASE("A scene that rank 0 sends need not be where the others are", "[app][n
     f.shell("mkdir -p here/scenes nowhere && cp -r '" ETALON_SOURCE_DIR
             "/scenes/features' "
             "'" ETALON_SOURCE_DIR "/scenes/pbrt' '" ETALON_SOURCE_DIR
-            "/scenes/skybox' here/scenes && ln -s scenes/skybox here/link");
+            "/scenes/skybox' here/scenes && ln -s scenes/skybox here/link && mkdir here/empty");
+    f.write("here/detour.pbrt",
+            "LookAt 0 0 -5 0 0 0 0 1 0 Camera \"perspective\" WorldBegin LightSource \"point\" "
+            "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" "
+            "\"empty/../scenes/skybox/top.png\" Material \"matte\" \"texture Kd\" \"t\" "
+            "Shape \"sphere\" WorldEnd\n");
     const std::string options = " --spp 2 --resolution 60x40 -t 1 -q -o ",
                       one = "cd here; '" ETALON_BINARY_DIR "/bin/etalon' render ";
     for (const std::string scene :
          {"scenes/features/skybox.p3f", "scenes/pbrt/textures.pbrt", "scenes/pbrt/shapes.pbrt",
           "- <scenes/features/glass.p3f", "scenes/features/../pbrt/textures.pbrt",
-          "link/../features/glass.p3f"}) {
+          "link/../features/glass.p3f", "detour.pbrt"}) {
         CAPTURE(scene);
         REQUIRE(f.shell(one + scene + options + "one.exr").status == 0);
         const std::string input = scene[0] == '-' ? f.read("here/scenes/features/glass.p3f") : "";

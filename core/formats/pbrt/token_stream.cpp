@@ -12,11 +12,15 @@ constexpr std::size_t deepest = 100;
 constexpr std::size_t most_files = 100'000;
 constexpr std::size_t most_repeated_bytes = std::size_t{1} << 28;
 
-/// Returns a path without `..` where that leads to the same place. It does not after a folder that
-/// is a symbolic link.
+/// Returns a path without `..` where that leads to the same place, or only that leads to any. It
+/// does not after a folder that is a symbolic link. A folder that is left at once may be missing:
+/// in a copy of the scene's files alone.
 std::filesystem::path without_detours(const std::filesystem::path& path) {
     std::filesystem::path normal = path.lexically_normal();
     std::error_code none;
+    if (!std::filesystem::exists(path, none) && std::filesystem::exists(normal, none)) {
+        return normal;
+    }
     const bool is_same = normal == path || std::filesystem::weakly_canonical(path, none) ==
                                                std::filesystem::weakly_canonical(normal, none);
     return is_same ? normal : path;
