@@ -19,8 +19,6 @@ class LightValues {
         return are_displayed_ ? Color(decoded(c.x), decoded(c.y), decoded(c.z)) : c;
     }
 
-    bool are_displayed() const { return are_displayed_; }
-
   private:
     bool are_displayed_;
 };

@@ -81,8 +81,7 @@ void add_physical_lights(const WhittedLook& from, const Camera& camera, const Li
 void add_physical_environment(const Environment& from, const LightValues& light, PhysicalLook& to) {
     if (!from.skybox && from.background == black) return;
     InfiniteSource source{light(from.background)};
-    if (from.skybox) source.skybox = from;
-    source.decode_srgb = light.are_displayed();
+    if (from.skybox) source.skybox = Environment{light(from.background), from.skybox};
     to.lights.emplace_back(std::move(source));
 }
 

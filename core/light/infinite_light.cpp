@@ -69,7 +69,7 @@ InfiniteLight::InfiniteLight(const InfiniteSource& source, std::vector<std::stri
       image_(source.image, problems),
       mean_(source.radiance) {
     if (source.skybox) {
-        skybox_ = std::make_unique<SkyboxLight>(*source.skybox, source.decode_srgb, problems);
+        skybox_ = std::make_unique<SkyboxLight>(*source.skybox, problems);
         image_ = skybox_->overview(overview_width, overview_width / 2);
         source_.radiance = Color(1.0F);
     }

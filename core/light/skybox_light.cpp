@@ -1,24 +1,14 @@
 #include "core/light/skybox_light.h"
 
-#include "core/color/srgb.h"
-
 namespace etalon {
 
-SkyboxLight::SkyboxLight(const Environment& skybox, bool decode_srgb,
-                         std::vector<std::string>& problems)
-    : map_(skybox, problems), decode_srgb_(decode_srgb) {
+SkyboxLight::SkyboxLight(const Environment& skybox, std::vector<std::string>& problems)
+    : map_(skybox, Encoding::linear, problems) {
     for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
         map_.radiance(axis);  // reads the face
         map_.radiance(-axis);
     }
     for (std::string& problem : map_.late_problems()) problems.push_back(std::move(problem));
-}
-
-Color SkyboxLight::radiance(const Vec3& direction) const {
-    const Color stored = map_.radiance(direction);
-    if (!decode_srgb_) return stored;
-    const auto decoded = [](float value) { return static_cast<float>(srgb_decoded(value)); };
-    return {decoded(stored.x), decoded(stored.y), decoded(stored.z)};
 }
 
 SphericalImage SkyboxLight::overview(int width, int height) const {

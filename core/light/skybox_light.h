@@ -13,18 +13,16 @@ namespace etalon {
 /// The light of a skybox.
 class SkyboxLight {
   public:
-    /// `decode_srgb`: its images and its background are display values. For `problems` see
-    /// EnvironmentMap. All faces are read.
-    SkyboxLight(const Environment& skybox, bool decode_srgb, std::vector<std::string>& problems);
+    /// Its background is light. For `problems` see EnvironmentMap. All faces are read.
+    SkyboxLight(const Environment& skybox, std::vector<std::string>& problems);
 
-    Color radiance(const Vec3& direction) const;
+    Color radiance(const Vec3& direction) const { return map_.radiance(direction); }
 
     /// Returns an image of it whose texels are means over parts of their cells.
     SphericalImage overview(int width, int height) const;
 
   private:
     EnvironmentMap map_;
-    bool decode_srgb_;
 };
 
 }  // namespace etalon

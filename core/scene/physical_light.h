@@ -56,8 +56,7 @@ struct InfiniteSource {
     std::string image{};
     Affine to_light{};                    ///< from the world's directions to the light's
     int samples = 1;                      ///< samples of a vertex at which all lights are sampled
-    std::optional<Environment> skybox{};  ///< if set, it replaces all the above
-    bool decode_srgb = false;             ///< the skybox has display values
+    std::optional<Environment> skybox{};  ///< if set, it replaces all the above; of light
 };
 
 /// A primitive that emits light from its front, or from both sides.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/color/srgb.h"
 #include "core/image/io.h"
 
 namespace etalon {
@@ -48,8 +49,18 @@ Color bilinear(const Image& image, const FacePoint& p) {
 }
 
 /// Returns an image of one colour, for a face whose file cannot be read.
-Image image_of_color(const Color& c) {
-    return {1, 1, 3, std::vector<float>{c.x, c.y, c.z}, Encoding::linear, {}};
+Image image_of_color(const Color& c, Encoding encoding) {
+    return {1, 1, 3, std::vector<float>{c.x, c.y, c.z}, encoding, {}};
+}
+
+/// Converts light to display values or display values to light, where the two differ.
+Color converted(const Color& stored, Encoding from, Encoding to) {
+    const bool is_light = from == Encoding::linear;
+    if (is_light == (to == Encoding::linear)) return stored;
+    const auto convert = [&](float value) {
+        return static_cast<float>(is_light ? srgb_encoded(value) : srgb_decoded(value));
+    };
+    return {convert(stored.x), convert(stored.y), convert(stored.z)};
 }
 
 /// Returns whether a vector points to a place of the sky: one that is zero, infinite or no number
@@ -60,8 +71,9 @@ bool is_direction(const Vec3& v) {
 
 }  // namespace
 
-EnvironmentMap::EnvironmentMap(const Environment& environment, std::vector<std::string>& problems)
-    : environment_(environment) {
+EnvironmentMap::EnvironmentMap(const Environment& environment, Encoding values,
+                               std::vector<std::string>& problems)
+    : environment_(environment), values_(values) {
     if (!environment.skybox) return;
     has_skybox_ = true;
     for (std::size_t k = 0; k < faces_.size(); ++k) {
@@ -69,7 +81,7 @@ EnvironmentMap::EnvironmentMap(const Environment& environment, std::vector<std::
         const Result<Image> header = read_image(path, Extent::header);
         if (!header) problems.push_back(header.error);
         has_skybox_ = has_skybox_ && header;
-        faces_[k].choose(path, image_of_color(environment.background));
+        faces_[k].choose(path, image_of_color(environment.background, values));
     }
 }
 
@@ -77,7 +89,8 @@ Color EnvironmentMap::radiance(const Vec3& direction) const {
     if (!has_skybox_ || !is_direction(direction)) return environment_.background;
     const FacePoint p = face_point(direction);
     const Image& face = faces_[p.face].get();
-    return environment_.skybox->nearest ? nearest_texel(face, p) : bilinear(face, p);
+    const Color stored = environment_.skybox->nearest ? nearest_texel(face, p) : bilinear(face, p);
+    return converted(stored, face.encoding, values_);
 }
 
 void EnvironmentMap::set_radiance(const Vec3Span& directions, std::span<const Hit> hits,

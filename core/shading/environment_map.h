@@ -16,9 +16,11 @@ namespace etalon {
 /// face.
 class EnvironmentMap {
   public:
-    /// If an image of the skybox is missing or its header is invalid, the background colour
-    /// replaces the skybox; `problems` gets the reasons.
-    EnvironmentMap(const Environment& environment, std::vector<std::string>& problems);
+    /// `values`: what the background is and the radiance is to be, light (`linear`) or display
+    /// values; images of the other kind are converted. If an image of the skybox is missing or its
+    /// header is invalid, the background colour replaces the skybox; `problems` gets the reasons.
+    EnvironmentMap(const Environment& environment, Encoding values,
+                   std::vector<std::string>& problems);
 
     Color radiance(const Vec3& direction) const;
 
@@ -33,6 +35,7 @@ class EnvironmentMap {
 
   private:
     const Environment& environment_;
+    Encoding values_;
     std::array<LazyImage, 6> faces_;
     bool has_skybox_ = false;
 };

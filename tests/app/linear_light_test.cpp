@@ -134,3 +134,23 @@ TEST_CASE("ambient occlusion is a fraction, not a display value", "[app]") {
         }
     }
 }
+
+TEST_CASE("a sky of light is as bright in the image as in its files", "[app]") {
+    const Folder f;
+    const Color light(0.18F, 0.5F, 2);
+    REQUIRE(f.shell("mkdir sky").status == 0);
+    for (const std::string face : {"right", "left", "top", "bottom", "front", "back"}) {
+        const RenderedImage image{4, 4, {{0, 0}, {3, 3}}, std::vector<Color>(16, light), false, {}};
+        REQUIRE(write_image(f.path("sky/" + face + ".exr"), image) == "");
+    }
+    f.write("sky.p3f",
+            "env sky\ncamera eye 0 0 5 at 0 0 0 up 0 1 0 angle 90 hither 0 "
+            "resolution 8 8 aperture 0 focal 1\n");
+    for (const std::string integrator : {"whitted", "path"}) {
+        CAPTURE(integrator);
+        REQUIRE(f.etalon("render sky.p3f -q --spp 1 -o s.exr --integrator " + integrator).status ==
+                0);
+        const Image image = read_image(f.path("s.exr")).value;
+        for (int k = 0; k < 3; ++k) CHECK(image.color(3, 5)[k] == Approx(light[k]).epsilon(1e-6));
+    }
+}

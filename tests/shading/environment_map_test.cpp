@@ -1,6 +1,7 @@
 // Lazy reading of a skybox's images, and the treatment of damaged ones.
 #include "core/shading/environment_map.h"
 
+#include "core/color/srgb.h"
 #include "core/image/io.h"
 #include "core/parallel/parallel.h"
 #include "tests/catch.h"
@@ -21,13 +22,15 @@ Color color_of(std::size_t face) {
     return Color(static_cast<float>(face) + 1);
 }
 
-/// Returns a skybox of large faces, each of one colour.
-Environment skybox_in(const TemporaryFolder& folder, const std::string& extension) {
+/// Returns a skybox of large faces, each of one colour, of light or of display values.
+Environment skybox_in(const TemporaryFolder& folder, const std::string& extension,
+                      bool displayed = false) {
     Environment environment{background, Skybox{}};
     for (std::size_t k = 0; k < towards.size(); ++k) {
         const std::string path = folder / (std::to_string(k) + extension);
-        const RenderedImage image{
-            64, 64, {{0, 0}, {63, 63}}, std::vector<Color>(64 * 64, color_of(k)), false, {}};
+        RenderedImage image{
+            64, 64, {{0, 0}, {63, 63}}, std::vector<Color>(64 * 64, color_of(k)), displayed, {}};
+        image.keep_display_values = displayed;
         REQUIRE(write_image(path, image) == "");
         environment.skybox->faces[k] = path;
     }
@@ -74,7 +77,7 @@ void check_texels(bool nearest, const std::array<int, small_size>& columns,
     Environment environment = skybox_of_texels(folder);
     environment.skybox->nearest = nearest;
     std::vector<std::string> problems;
-    const EnvironmentMap map(environment, problems);
+    const EnvironmentMap map(environment, Encoding::linear, problems);
     REQUIRE(problems.empty());
     for (std::size_t k = 0; k < towards.size(); ++k) {
         for (int row = 0; row < small_size; ++row) {
@@ -100,7 +103,7 @@ TEST_CASE("a face is read when a ray first hits it") {
     const TemporaryFolder folder;
     const Environment environment = skybox_in(folder, ".exr");
     std::vector<std::string> problems;
-    const EnvironmentMap map(environment, problems);
+    const EnvironmentMap map(environment, Encoding::linear, problems);
     CHECK(problems.empty());
     CHECK(map.radiance(towards[1]) == color_of(1));
     for (const std::string& path : environment.skybox->faces) std::filesystem::remove(path);
@@ -124,7 +127,7 @@ TEST_CASE("a direction that is none sees the background") {
     Environment environment = skybox_in(folder, ".exr");
     environment.skybox->nearest = GENERATE(false, true);
     std::vector<std::string> problems;
-    const EnvironmentMap map(environment, problems);
+    const EnvironmentMap map(environment, Encoding::linear, problems);
     constexpr double none = std::numeric_limits<double>::quiet_NaN(), most = infinity;
     for (const Vec3& d : {Vec3(none), Vec3(0, none, 1), Vec3(0), Vec3(0, -most, 1), Vec3(most)}) {
         CAPTURE(d);
@@ -139,7 +142,7 @@ TEST_CASE("threads that hit a face at the same time use the same image") {
     const Environment environment = skybox_in(folder, ".exr");
     for (int i = 0; i < 20; ++i) {
         std::vector<std::string> problems;
-        const EnvironmentMap map(environment, problems);
+        const EnvironmentMap map(environment, Encoding::linear, problems);
         std::array<Color, 60> seen;
         parallel_for(seen.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k) seen[k] = map.radiance(towards[k % 6]);
@@ -159,7 +162,7 @@ TEST_CASE("a skybox of which an image is missing or no image is the background f
         put(path, "This is no picture.\n");
     }
     std::vector<std::string> problems;
-    const EnvironmentMap map(environment, problems);
+    const EnvironmentMap map(environment, Encoding::linear, problems);
     REQUIRE(problems.size() == 1);
     CHECK_THAT(problems[0], Catch::Matchers::StartsWith(path + ": cannot be read: "));
     for (const Vec3& direction : towards) CHECK(map.radiance(direction) == background);
@@ -170,10 +173,11 @@ TEST_CASE("a face whose pixels turn out damaged is the background, and the other
     const TemporaryFolder folder;
     Environment environment = skybox_in(folder, GENERATE(".exr", ".png"));
     environment.skybox->nearest = GENERATE(false, true);
+    const Encoding values = GENERATE(Encoding::linear, Encoding::display);
     const std::string& path = environment.skybox->faces[3];
     cut(path);
     std::vector<std::string> problems;
-    const EnvironmentMap map(environment, problems);
+    const EnvironmentMap map(environment, values, problems);
     CHECK(problems.empty());
     for (std::size_t k = 0; k < towards.size(); ++k) {
         const bool whole = k != 3;
@@ -181,4 +185,21 @@ TEST_CASE("a face whose pixels turn out damaged is the background, and the other
     }
     REQUIRE(map.late_problems().size() == 1);
     CHECK_THAT(map.late_problems()[0], Catch::Matchers::StartsWith(path + ": cannot be read: "));
+}
+
+TEST_CASE("faces of light or of display values give the radiance as what is asked for") {
+    const TemporaryFolder folder;
+    const bool displayed = GENERATE(false, true);
+    Environment environment = skybox_in(folder, ".exr", displayed);
+    environment.skybox->nearest = GENERATE(false, true);
+    std::vector<std::string> problems;
+    const EnvironmentMap light(environment, Encoding::linear, problems);
+    const EnvironmentMap display(environment, Encoding::display, problems);
+    for (std::size_t k = 0; k < towards.size(); ++k) {
+        const double stored = color_of(k).x;
+        const double shone = displayed ? srgb_decoded(stored) : stored;
+        const double shown = displayed ? stored : srgb_encoded(stored);
+        CHECK(light.radiance(towards[k]).x == Approx(shone).epsilon(1e-6));
+        CHECK(display.radiance(towards[k]).x == Approx(shown).epsilon(1e-6));
+    }
 }
