@@ -138,7 +138,11 @@ std::string aov_names() {
 }
 
 bool need_variance(const Names& names) {
-    return std::find(names.begin(), names.end(), "variance") != names.end();
+    return std::ranges::find(names, "variance") != names.end();
+}
+
+bool need_materials(const Names& names) {
+    return std::ranges::find(names, "albedo") != names.end();
 }
 
 std::string check_aovs(const Names& names, const Backend& backend) {
@@ -155,13 +159,13 @@ std::string check_aovs(const Names& names, const Backend& backend) {
 }
 
 std::vector<Channel> make_aovs(const Names& names, const Scene& scene,
-                               const Intersector& intersector, const Film& film,
-                               const RenderSettings& settings, const std::atomic<bool>& stop,
-                               Names& missing) {
+                               const Intersector& intersector, const PhysicalShading* shading,
+                               const Film& film, const RenderSettings& settings,
+                               const std::atomic<bool>& stop, Names& missing) {
     const std::vector<Aov> list = selected(names);
     AovInputs made{film};
     if (any_from(list, Source::means)) {
-        made.means = surface_means(scene, intersector, settings, &stop);
+        made.means = surface_means(scene, intersector, settings, shading, &stop);
     }
     if (any_from(list, Source::centres)) {
         made.centres = centre_hits(scene, intersector, settings, &stop);

@@ -18,14 +18,17 @@ std::string aov_names();
 /// Returns whether one of them needs the variances of the film.
 bool need_variance(const std::vector<std::string>& names);
 
+/// Returns whether one of them needs the materials.
+bool need_materials(const std::vector<std::string>& names);
+
 /// Returns why the backend cannot produce all of them; empty if it can.
 std::string check_aovs(const std::vector<std::string>& names, const Backend& backend);
 
-/// Returns the channels of these, without duplicates, with as few rays as possible. The names of
-/// those that a stop prevented are added to `missing`.
+/// Returns the channels of these, without duplicates, with as few rays as possible. `shading`: see
+/// surface_means(). The names of those that a stop prevented are added to `missing`.
 std::vector<Channel> make_aovs(const std::vector<std::string>& names, const Scene& scene,
-                               const Intersector& intersector, const Film& film,
-                               const RenderSettings& settings, const std::atomic<bool>& stop,
-                               std::vector<std::string>& missing);
+                               const Intersector& intersector, const PhysicalShading* shading,
+                               const Film& film, const RenderSettings& settings,
+                               const std::atomic<bool>& stop, std::vector<std::string>& missing);
 
 }  // namespace etalon

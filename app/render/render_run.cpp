@@ -158,6 +158,9 @@ bool RenderRun::build() {
     packets_.emplace(scene_.geometry, *intersector_, backend.exact);
     integrator_ =
         find_integrator(settings_.integrator)->make(scene_, *packets_, settings_, problems);
+    if (need_materials(a_.aovs) && scene_.is_physical() && integrator_->shading() == nullptr) {
+        shading_.emplace(scene_, problems);
+    }
     if (!tolerates(scene_, a_.scene, problems)) return false;
     kept_.identify(source_.path_read(), scene_, settings_);
     stats_.build = watch_.lap();
@@ -191,10 +194,14 @@ Rendering RenderRun::render_image() {
     return rendering;
 }
 
+const PhysicalShading* RenderRun::shading() const {
+    return shading_ ? &*shading_ : integrator_->shading();
+}
+
 std::vector<Channel> RenderRun::make_channels(const Film& film) {
     std::vector<std::string> missing;
-    auto channels =
-        make_aovs(a_.aovs, scene_, *intersector_, film, settings_, SignalGuard::raised(), missing);
+    auto channels = make_aovs(a_.aovs, scene_, *intersector_, shading(), film, settings_,
+                              SignalGuard::raised(), missing);
     for (const std::string& name : missing) {
         print_message("etalon: warning: stopped before {} was made\n", name);
     }

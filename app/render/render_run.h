@@ -17,6 +17,7 @@
 #include "core/intersect/intersector.h"
 #include "core/intersect/packet_intersector.h"
 #include "core/render/renderer.h"
+#include "core/shading/physical_shading.h"
 
 namespace etalon {
 
@@ -55,6 +56,9 @@ class RenderRun {
     std::vector<std::string> late_problems() const;
     void warn_of_missed_target(const Rendering& rendering) const;
 
+    /// Returns the evaluated materials of a physical look, for AOVs.
+    const PhysicalShading* shading() const;
+
     bool write(const Rendering& rendering);
     std::vector<Channel> make_channels(const Film& film);
     void fill_stats(const Rendering& rendering);
@@ -76,6 +80,7 @@ class RenderRun {
     std::unique_ptr<Intersector> intersector_;
     std::optional<PacketIntersector> packets_;
     std::unique_ptr<Integrator> integrator_;
+    std::optional<PhysicalShading> shading_;  ///< for AOVs, if the integrator has none
     bool is_written_ = false;
     LiveViews views_{a_};  ///< declared last, so that they end first
 };

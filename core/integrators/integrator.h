@@ -11,6 +11,8 @@
 
 namespace etalon {
 
+class PhysicalShading;
+
 /// Samples of neighbouring pixels: the camera ray of each and the source of its random numbers, in
 /// spans of one length.
 struct CameraSamples {
@@ -45,6 +47,9 @@ class Integrator {
     /// Sets `colors` to the part of the samples' colours that is emitted by lights that camera rays
     /// hit. Black if shows_lights() is false.
     virtual void emission(const CameraSamples& samples, std::span<Color> colors) const;
+
+    /// Returns the evaluated materials of a physical look, or null if the integrator needs none.
+    virtual const PhysicalShading* shading() const { return nullptr; }
 
     /// Returns why parts of the scene were replaced after rendering began: the face of a skybox
     /// whose file turned out to be damaged when it was first needed, by the background's colour.

@@ -37,49 +37,40 @@ Ray centre_ray(const CameraRays& camera, int x, int y) {
     return camera.ray(Vec2(x + 0.5, y + 0.5), Vec2(0.5));
 }
 
-Color albedo_of(const Material& m) {
-    const Color sum = m.diffuse + m.reflection + m.transmission;
+Color shares(const Color& c) {
     const auto share = [](float x) { return std::clamp(x, 0.0F, 1.0F); };
-    return {share(sum.x), share(sum.y), share(sum.z)};
+    return {share(c.x), share(c.y), share(c.z)};
 }
 
-/// The albedo of surfaces of either look.
-class Albedo {
-  public:
-    explicit Albedo(const Scene& scene) : scene_(scene) {
-        std::vector<std::string> problems;  // reported when the image itself is rendered
-        if (scene.is_physical()) physical_.emplace(scene, problems);
-    }
+Color albedo_of(const Material& m) {
+    return shares(m.diffuse + m.reflection + m.transmission);
+}
 
-    Color at(const Ray& ray, const Hit& hit, const SurfaceInteraction& surface) const {
-        if (!physical_) return albedo_of(*surface.material);
-        LazyStorage<LobeList> room;
-        const auto [frame, lobes] = physical_->scattering(physical_surface(scene_, ray, hit), room);
-        const Color albedo = BsdfFrom(frame, lobes, -normalized(ray.direction)).albedo();
-        const auto share = [](float x) { return std::clamp(x, 0.0F, 1.0F); };
-        return {share(albedo.x), share(albedo.y), share(albedo.z)};
-    }
-
-  private:
-    const Scene& scene_;
-    std::optional<PhysicalShading> physical_;
-};
+/// Returns the albedo of a surface of either look.
+Color albedo_at(const Scene& scene, const PhysicalShading* shading, const Ray& ray, const Hit& hit,
+                const SurfaceInteraction& surface) {
+    if (!scene.is_physical()) return albedo_of(*surface.material);
+    if (shading == nullptr) return Color(0);
+    LazyStorage<LobeList> room;
+    const auto [frame, lobes] = shading->scattering(physical_surface(scene, ray, hit), room);
+    return shares(BsdfFrom(frame, lobes, -normalized(ray.direction)).albedo());
+}
 
 }  // namespace
 
 std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
                                           const RenderSettings& settings,
+                                          const PhysicalShading* shading,
                                           const std::atomic<bool>* stop) {
     const CameraSampler rays(scene.camera, settings);
     const Imath::Box2i window = rays.sampled(settings.window());
     const int samples = std::clamp(settings.samples_per_pixel, 1, most_samples);
     SurfaceMeans means{Film(window), Film(window)};
-    const Albedo albedo(scene);
     const auto add = [&](int x, int y, const Ray& ray, bool is_seen) {
         const std::optional<Hit> hit = is_seen ? intersector.closest(ray) : std::nullopt;
         if (!hit) return means.albedo.add(x, y, Color(0)), means.normal.add(x, y, Color(0));
         const SurfaceInteraction at = surface_interaction(scene, ray, *hit);
-        means.albedo.add(x, y, albedo.at(ray, *hit, at));
+        means.albedo.add(x, y, albedo_at(scene, shading, ray, *hit, at));
         means.normal.add(x, y, Color(at.ns));
     };
     const bool complete = visit_pixels(window, stop, [&](int x, int y, std::size_t) {

@@ -13,6 +13,8 @@
 
 namespace etalon {
 
+class PhysicalShading;
+
 /// Means over the first samples of each pixel, at most 16. They are the image's own samples, so
 /// that what is behind an edge has the same share. A miss counts as 0.
 struct SurfaceMeans {
@@ -36,9 +38,11 @@ struct CentreParametrizations {
 };
 
 /// Renders the features of an image with these settings; nothing if `stop` was set meanwhile. All
-/// are the same for any number of threads.
+/// are the same for any number of threads. `shading`: evaluates the materials of a physical look;
+/// without it their albedo is 0.
 std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
                                           const RenderSettings& settings,
+                                          const PhysicalShading* shading,
                                           const std::atomic<bool>* stop = nullptr);
 std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& intersector,
                                       const RenderSettings& settings,

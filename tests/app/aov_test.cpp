@@ -91,3 +91,29 @@ TEST_CASE("An unavailable --aov is wrong usage, and the available ones are liste
     CHECK_FALSE(f.has("a.exr"));
     CHECK_FALSE(f.has("a.png"));
 }
+
+TEST_CASE("--aov albedo uses the image's own textures, and says which cannot be read", "[app]") {
+    const Folder f;
+    constexpr int side = 2048;
+    constexpr std::size_t texture_bytes = std::size_t{3} * side * side;
+    const etalon::RenderedImage colors{
+        side,  side, {{0, 0}, {side - 1, side - 1}}, std::vector(side * side, etalon::Color(0.5F)),
+        false, {}};
+    REQUIRE(write_image(f.path("t.png"), colors) == "");
+    f.write(
+        "s.pbrt",
+        "LookAt 0 0 5 0 0 0 0 1 0 Camera \"perspective\" Film \"image\" \"integer xresolution\" 8 "
+        "\"integer yresolution\" 8 WorldBegin LightSource \"infinite\" Texture \"t\" \"spectrum\" "
+        "\"imagemap\" \"string filename\" \"t.png\" Material \"matte\" \"texture Kd\" \"t\" Shape "
+        "\"sphere\" WorldEnd\n");
+    const std::string command = "render s.pbrt -q -t 1 --spp 1 -o a.exr --integrator ";
+    const auto without = f.etalon(command + "path"), with = f.etalon(command + "path --aov albedo");
+    REQUIRE(without.status + with.status == 0);
+    CHECK(with.peak_bytes < without.peak_bytes + texture_bytes / 2);
+
+    f.write("t.png", "This is no picture.\n");
+    const auto unread = f.etalon(command + "ao --aov albedo --strict");
+    CHECK(unread.status == 3);
+    CHECK_THAT(unread.err, ContainsSubstring("t.png: cannot be read"));
+    CHECK(f.etalon(command + "ao --strict").status == 0);
+}

@@ -2,6 +2,7 @@
 
 #include "core/parallel/parallel.h"
 #include "core/render/camera_rays.h"
+#include "core/shading/physical_shading.h"
 #include "tests/catch.h"
 #include "tests/render/test_images.h"
 #include "tests/render/test_scenes.h"
@@ -23,7 +24,11 @@ CentreHits hits_of(const TestScene& scene) {
 
 SurfaceMeans means_of(const TestScene& scene) {
     const auto intersector = find_backend(default_backend)->build(scene.geometry);
-    return surface_means(scene, *intersector, scene.settings).value();
+    std::vector<std::string> problems;
+    std::optional<PhysicalShading> shading;
+    if (scene.is_physical()) shading.emplace(scene, problems);
+    return surface_means(scene, *intersector, scene.settings, shading ? &*shading : nullptr)
+        .value();
 }
 
 /// A scene of purely diffuse materials with a black background.
@@ -173,7 +178,7 @@ TEST_CASE("A stop leaves no features rather than parts of them", "[features]") {
     const TestScene scene = mixed_scene();
     const std::atomic<bool> stop = true;
     const auto intersector = find_backend(default_backend)->build(scene.geometry);
-    CHECK_FALSE(surface_means(scene, *intersector, scene.settings, &stop));
+    CHECK_FALSE(surface_means(scene, *intersector, scene.settings, nullptr, &stop));
     CHECK_FALSE(centre_hits(scene, *intersector, scene.settings, &stop));
     CHECK_FALSE(centre_parametrizations(scene, *intersector, scene.settings, &stop));
 }

@@ -22,6 +22,7 @@ class PathTracer final : public Integrator {
 
     bool shows_lights() const override { return scene_.lights.can_be_seen(); }
     void emission(const CameraSamples& samples, std::span<Color> colors) const override;
+    const PhysicalShading* shading() const override { return &scene_.shading; }
 
   private:
     PathScene scene_;
@@ -40,6 +41,7 @@ class VolumePathTracer final : public Integrator {
     /// False in media, through which the outline of a light is not worth additional samples.
     bool shows_lights() const override { return !in_media_ && scene_.lights.can_be_seen(); }
     void emission(const CameraSamples& samples, std::span<Color> colors) const override;
+    const PhysicalShading* shading() const override { return &scene_.shading; }
 
   private:
     bool in_media_;  ///< the scene has something that PathTracer does not render
