@@ -56,6 +56,19 @@ Color albedo_at(const Scene& scene, const PhysicalShading* shading, const Ray& r
     return shares(BsdfFrom(frame, lobes, -normalized(ray.direction)).albedo());
 }
 
+/// Returns the hit of the first surface that path tracers show: not that of one of the null
+/// material. `closest` finds the hit of a ray.
+template <class Closest>
+std::optional<Hit> first_shown(const Scene& scene, const Ray& ray, const Closest& closest) {
+    std::optional<Hit> hit = closest(ray);
+    for (Ray rest = ray; hit && scene.is_physical(); hit = closest(rest)) {
+        const PhysicalSurface at = physical_surface(scene, rest, *hit);
+        if (!has_null_material(scene, at)) break;
+        rest = ray_beyond(rest, *hit, at.point.convexity);
+    }
+    return hit;
+}
+
 }  // namespace
 
 std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
@@ -66,8 +79,9 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
     const Imath::Box2i window = rays.sampled(settings.window());
     const int samples = std::clamp(settings.samples_per_pixel, 1, most_samples);
     SurfaceMeans means{Film(window), Film(window)};
+    const auto closest = [&](const Ray& ray) { return intersector.closest(ray); };
     const auto add = [&](int x, int y, const Ray& ray, bool is_seen) {
-        const std::optional<Hit> hit = is_seen ? intersector.closest(ray) : std::nullopt;
+        const std::optional<Hit> hit = is_seen ? first_shown(scene, ray, closest) : std::nullopt;
         if (!hit) return means.albedo.add(x, y, Color(0)), means.normal.add(x, y, Color(0));
         const SurfaceInteraction at = surface_interaction(scene, ray, *hit);
         means.albedo.add(x, y, albedo_at(scene, shading, ray, *hit, at));
@@ -98,7 +112,10 @@ std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& int
                     std::vector(pixels, TraversalCost())};
     const auto trace = [&](int x, int y, std::size_t pixel) {
         const Ray ray = centre_ray(camera, x, y);
-        const std::optional<Hit> hit = intersector.closest(ray, hits.costs[pixel]);
+        const auto closest = [&](const Ray& part) {
+            return intersector.closest(part, hits.costs[pixel]);
+        };
+        const std::optional<Hit> hit = first_shown(scene, ray, closest);
         if (!hit) return;
         const Vec3 position = surface_at(scene.geometry, ray, *hit).position;
         hits.positions[pixel] = Vec3f(position);
@@ -119,9 +136,10 @@ std::optional<CentreParametrizations> centre_parametrizations(const Scene& scene
     const std::size_t pixels = pixels_of(window);
     CentreParametrizations result{std::vector(pixels, Imath::V2f(0)), std::vector(pixels, Vec3f(0)),
                                   std::vector(pixels, Vec3f(0))};
+    const auto closest = [&](const Ray& ray) { return intersector.closest(ray); };
     const auto trace = [&](int x, int y, std::size_t pixel) {
         const Ray ray = centre_ray(camera, x, y);
-        const std::optional<Hit> hit = intersector.closest(ray);
+        const std::optional<Hit> hit = first_shown(scene, ray, closest);
         if (!hit) return;
         const Parametrization at = parametrization(scene, surface_interaction(scene, ray, *hit));
         result.uv[pixel] = Imath::V2f(at.uv);

@@ -22,7 +22,8 @@ struct SurfaceMeans {
     Film normal;  ///< shading normal, unit, on the side of the surface that is seen
 };
 
-/// Hits of one ray through the centre of each pixel and of the lens, in rows from the top.
+/// First hits of one ray through the centre of each pixel and of the lens, in rows from the top.
+/// Rays pass surfaces of the null material.
 struct CentreHits {
     std::vector<Vec3f> positions;           ///< 0 for a miss
     std::vector<float> depths;              ///< along the camera's axis; infinity for a miss

@@ -61,10 +61,6 @@ std::uint32_t PhysicalShading::material_below(const PhysicalSurface& at) const {
     return static_cast<std::uint32_t>(&shape_giving(all[at.binding->material], all) - all.data());
 }
 
-bool PhysicalShading::has_null_material(const PhysicalSurface& at) const {
-    return is_none(scene_.physical().materials[at.binding->material]);
-}
-
 MaterialPoint PhysicalShading::material_point(const PhysicalSurface& at) const {
     const Parametrization p = physical_parametrization(scene_, at);
     MaterialPoint point{at.ng, at.ns, p.dpdu, p.dpdv, p.uv, at.point.position};

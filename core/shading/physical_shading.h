@@ -21,9 +21,6 @@ class PhysicalShading {
     /// Returns whether the scene has a null material, through which rays pass unchanged.
     bool has_null_materials() const { return has_null_materials_; }
 
-    /// Returns whether a surface has the null material.
-    bool has_null_material(const PhysicalSurface& at) const;
-
     /// The BSDF at a point: its lobes and the frame in which they are given.
     struct Scattering {
         BsdfFrame frame;

@@ -14,6 +14,11 @@ PhysicalSurface physical_surface(const Scene& scene, const Ray& ray, const Hit& 
     return at;
 }
 
+bool has_null_material(const Scene& scene, const PhysicalSurface& at) {
+    const PhysicalLook& look = scene.physical();
+    return std::holds_alternative<NoMaterial>(look.materials[at.binding->material].kind);
+}
+
 namespace {
 
 /// Sets the tangents of a triangle whose coordinates are degenerate to those of pbrt-v3, which the

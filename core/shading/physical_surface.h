@@ -16,6 +16,9 @@ struct PhysicalSurface {
 
 PhysicalSurface physical_surface(const Scene& scene, const Ray& ray, const Hit& hit);
 
+/// Returns whether a surface has the null material, through which rays pass unchanged.
+bool has_null_material(const Scene& scene, const PhysicalSurface& at);
+
 /// Replaces a triangle's own coordinates by those that its mesh has at the vertices, if any: see
 /// SurfaceBinding::uv_offset. `geometry` is the one that holds the primitive.
 Parametrization with_coordinates_of_mesh(const Geometry& geometry, std::uint32_t primitive,

@@ -4,6 +4,7 @@
 #include "core/render/camera_rays.h"
 #include "core/shading/physical_shading.h"
 #include "tests/catch.h"
+#include "tests/render/pbrt_scene.h"
 #include "tests/render/test_images.h"
 #include "tests/render/test_scenes.h"
 
@@ -75,6 +76,21 @@ TEST_CASE("Surface coordinates are those of the hit; a miss has none", "[feature
     CHECK(p.uv[0] == Imath::V2f(0));
     CHECK(p.dpdu[0] == Vec3f(0));
     CHECK(p.dpdv[0] == Vec3f(0));
+}
+
+TEST_CASE("Features are of what is seen through surfaces of the null material", "[features]") {
+    const std::string ball = "Material \"matte\" \"rgb Kd\" [0.75 0.5 0.25] Shape \"sphere\"\n";
+    const TestScene alone = pbrt_scene(ball);
+    const TestScene inside =
+        pbrt_scene(ball + "Material \"none\" Shape \"sphere\" \"float radius\" 2\n");
+    const CentreHits expected = hits_of(alone), hits = hits_of(inside);
+    CHECK(hits.positions == expected.positions);
+    CHECK(hits.depths == expected.depths);
+    CHECK(hits.primitives == expected.primitives);
+    CHECK(parametrizations_of(inside).uv == parametrizations_of(alone).uv);
+    CHECK(means_of(inside).normal.pixels() == means_of(alone).normal.pixels());
+    const std::vector<Color> albedo = means_of(inside).albedo.pixels();
+    CHECK(albedo == std::vector(albedo.size(), Color(0.75F, 0.5F, 0.25F)));
 }
 
 TEST_CASE("Depth is along the axis of view, the position on the pixel's ray there", "[features]") {

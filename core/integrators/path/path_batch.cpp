@@ -80,7 +80,7 @@ void PathBatch<in_media>::shade(std::size_t ray, const VertexNumbers& numbers) {
     const PhysicalSurface surface =
         physical_surface(shared_.scene, wave_.rays[ray], wave_.hits[ray]);
     add_emitted(path, surface, direction);
-    if (shared_.shading.has_null_material(surface)) {
+    if (has_null_material(shared_.scene, surface)) {
         if (may_pass(path)) pass(ray, surface);
         return;
     }

@@ -72,7 +72,7 @@ bool ShadowQueue::passes(const PathScene& scene, std::size_t number, Ray& ray, c
         return false;
     }
     const PhysicalSurface at = physical_surface(scene.scene, ray, hit);
-    if (!scene.shading.has_null_material(at)) {
+    if (!has_null_material(scene.scene, at)) {
         blocked_[number] = 1;
         return false;
     }
