@@ -69,6 +69,12 @@ std::optional<Hit> first_shown(const Scene& scene, const Ray& ray, const Closest
     return hit;
 }
 
+/// Returns the format's surface coordinates at a hit.
+Parametrization coordinates_at(const Scene& scene, const Ray& ray, const Hit& hit) {
+    return scene.is_physical() ? physical_parametrization(scene, physical_surface(scene, ray, hit))
+                               : parametrization(scene, surface_interaction(scene, ray, hit));
+}
+
 }  // namespace
 
 std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
@@ -141,7 +147,7 @@ std::optional<CentreParametrizations> centre_parametrizations(const Scene& scene
         const Ray ray = centre_ray(camera, x, y);
         const std::optional<Hit> hit = first_shown(scene, ray, closest);
         if (!hit) return;
-        const Parametrization at = parametrization(scene, surface_interaction(scene, ray, *hit));
+        const Parametrization at = coordinates_at(scene, ray, *hit);
         result.uv[pixel] = Imath::V2f(at.uv);
         result.dpdu[pixel] = Vec3f(at.dpdu);
         result.dpdv[pixel] = Vec3f(at.dpdv);

@@ -78,6 +78,21 @@ TEST_CASE("Surface coordinates are those of the hit; a miss has none", "[feature
     CHECK(p.dpdv[0] == Vec3f(0));
 }
 
+TEST_CASE("Surface coordinates of a mesh are its own", "[features]") {
+    const TestScene scene = pbrt_scene(
+        "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [-1 -1 0  1 -1 0  "
+        "1 1 0  -1 1 0] \"float uv\" [0 0 1 0 1 1 0 1]");
+    const CentreParametrizations p = parametrizations_of(scene);
+    const CentreHits hits = hits_of(scene);
+    for (std::size_t i = 0; i < p.uv.size(); ++i) {
+        REQUIRE(hits.primitives[i] != no_index);
+        CHECK(p.uv[i].x == Approx((hits.positions[i].x + 1) / 2).margin(1e-6));
+        CHECK(p.uv[i].y == Approx((hits.positions[i].y + 1) / 2).margin(1e-6));
+        CHECK((p.dpdu[i] - Vec3f(2, 0, 0)).length() < 1e-6F);
+        CHECK((p.dpdv[i] - Vec3f(0, 2, 0)).length() < 1e-6F);
+    }
+}
+
 TEST_CASE("Features are of what is seen through surfaces of the null material", "[features]") {
     const std::string ball = "Material \"matte\" \"rgb Kd\" [0.75 0.5 0.25] Shape \"sphere\"\n";
     const TestScene alone = pbrt_scene(ball);
