@@ -37,12 +37,6 @@ Json fixed(Json identity) {
     return identity;
 }
 
-/// Returns whether pixels may have rates, with which the numbers of shares are multiplied.
-bool may_have_rates(const FilmAppendix& appendix) {
-    const auto spp = appendix.identity.find("spp");
-    return spp != appendix.identity.end() && *spp >= fewest_samples_with_rates;
-}
-
 std::string pixels_text(const Imath::Box2i& w) {
     return fmt::format("{},{},{},{}", w.min.x, w.min.y, w.max.x + 1, w.max.y + 1);
 }
@@ -55,7 +49,6 @@ std::string conflict(const Input& a, const Input& b) {
         return fmt::format("{} and {} overlap without being the same window: pixels {} and {}",
                            *a.path, *b.path, pixels_text(wa), pixels_text(wb));
     }
-    const bool differs = may_have_rates(*a.appendix) != may_have_rates(*b.appendix);
     const std::vector<SampleShare>&s = a.stored().shares, &t = b.stored().shares;
     for (auto i = s.begin(), k = t.begin(); i != s.end() && k != t.end();) {
         const std::uint32_t first = std::max(i->first, k->first), end = std::min(i->end, k->end);
@@ -63,7 +56,7 @@ std::string conflict(const Input& a, const Input& b) {
             return fmt::format("{} and {} hold the same samples: numbers {} to {} of seed {}",
                                *a.path, *b.path, first, end - 1, i->seed);
         }
-        if (i->seed == k->seed && differs) {
+        if (i->seed == k->seed && i->may_have_rates != k->may_have_rates) {
             return fmt::format(
                 "{} and {} may hold the same samples of seed {}: one is of an image of fewer than "
                 "{} samples per pixel, which has no more of them at the outlines of lights",

@@ -10,13 +10,14 @@
 #include "core/base/hash64.h"
 #include "core/image/exr.h"
 #include "core/render/image_film.h"
+#include "core/render/sample_rates.h"
 
 namespace etalon {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view first_line = "etalon-film 1\n";
+constexpr std::string_view first_line = "etalon-film 2\n";
 
 /// Letters at the end of the file.
 struct Ending {
@@ -27,7 +28,9 @@ constexpr std::array<char, 8> mark = {'E', 't', 'a', 'l', 'F', 'i', 'l', 'm'};
 
 Json shares_json(const std::vector<SampleShare>& shares) {
     Json list = Json::array();
-    for (const SampleShare& s : shares) list.push_back(Json{s.seed, s.first, s.end});
+    for (const SampleShare& s : shares) {
+        list.push_back(Json{s.seed, s.first, s.end, s.may_have_rates});
+    }
     return list;
 }
 
@@ -51,7 +54,7 @@ FilmAppendix from_json(const Json& json) {
         for (const Json& s : film.at("shares")) {
             stored.shares.push_back({whole_number<std::uint64_t>(s.at(0)),
                                      whole_number<std::uint32_t>(s.at(1)),
-                                     whole_number<std::uint32_t>(s.at(2))});
+                                     whole_number<std::uint32_t>(s.at(2)), s.at(3)});
         }
         join_shares(stored.shares);
         result.films.push_back(std::move(stored));
@@ -138,9 +141,11 @@ void join_shares(std::vector<SampleShare>& shares) {
     std::ranges::sort(shares);
     std::vector<SampleShare> joined;
     for (const SampleShare& s : shares) {
-        const bool continues =
-            !joined.empty() && joined.back().seed == s.seed && joined.back().end == s.first;
-        if (continues) {
+        const auto continues = [&](const SampleShare& last) {
+            return last.seed == s.seed && last.end == s.first &&
+                   last.may_have_rates == s.may_have_rates;
+        };
+        if (!joined.empty() && continues(joined.back())) {
             joined.back().end = s.end;
         } else {
             joined.push_back(s);
@@ -154,7 +159,8 @@ StoredFilm one_film(const Json& identity, std::size_t bytes) {
     const std::uint64_t spp = identity["spp"], part = identity["part"][0],
                         parts = identity["part"][1];
     const SampleShare share{identity["seed"], static_cast<std::uint32_t>(spp * (part - 1) / parts),
-                            static_cast<std::uint32_t>(spp * part / parts)};
+                            static_cast<std::uint32_t>(spp * part / parts),
+                            spp >= fewest_samples_with_rates};
     return {{{crop[0], crop[1]}, {crop[2].get<int>() - 1, crop[3].get<int>() - 1}}, {share}, bytes};
 }
 

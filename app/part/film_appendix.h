@@ -19,6 +19,7 @@ namespace etalon {
 struct SampleShare {
     std::uint64_t seed;
     std::uint32_t first, end;
+    bool may_have_rates = false;  ///< the image has so many samples that pixels may have rates
 
     auto operator<=>(const SampleShare&) const = default;
 };

@@ -195,6 +195,32 @@ TEST_CASE("Files that are not parts of one image are an error", "[app]") {
     CHECK(merge(f, {"a.exr"}, "m.png").status == 2);
 }
 
+TEST_CASE("Parts of images with few and many samples merge by steps as they do at once", "[app]") {
+    const Folder f;
+    const auto part = [&](int spp, int seed, const char* share, const std::string& output) {
+        render(f, fmt::format("features/glass.p3f --spp {} --seed {} --part {}", spp, seed, share),
+               output, "24x16");
+    };
+    part(4, 0, "1/1", "few.exr");
+    part(16, 1, "1/2", "first.exr");
+    part(16, 1, "2/2", "second.exr");
+    merge_well(f, {"few.exr", "first.exr", "second.exr"}, "at_once.exr");
+    merge_well(f, {"few.exr", "first.exr"}, "step.exr");
+    merge_well(f, {"step.exr", "second.exr"}, "by_steps.exr");
+    CHECK(pixels(f.path("by_steps.exr")) == pixels(f.path("at_once.exr")));
+
+    // Numbers 3 to 6 of seed 1, and 0 to 1, which are up to 0 to 31 where pixels have rates.
+    part(7, 1, "2/2", "other_few.exr");
+    part(16, 1, "1/8", "eighth.exr");
+    part(16, 0, "1/2", "other_seed.exr");
+    const auto at_once = merge(f, {"other_few.exr", "eighth.exr"}, "m.exr");
+    CHECK(at_once.status == 3);
+    merge_well(f, {"other_seed.exr", "other_few.exr"}, "step.exr");
+    const auto by_steps = merge(f, {"step.exr", "eighth.exr"}, "m.exr");
+    CHECK(by_steps.status == 3);
+    CHECK_THAT(by_steps.err, ContainsSubstring("may hold the same samples of seed 1"));
+}
+
 TEST_CASE("A merged image of parts that were stopped says so", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

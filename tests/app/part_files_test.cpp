@@ -98,6 +98,9 @@ TEST_CASE("Shares that continue each other become one, and many can be read agai
     std::vector<SampleShare> shares = {{1, 0, 2}, {0, 4, 6}, {0, 2, 4}, {0, 7, 9}};
     join_shares(shares);
     CHECK(shares == std::vector<SampleShare>{{0, 2, 6}, {0, 7, 9}, {1, 0, 2}});
+    shares = {{0, 0, 2, false}, {0, 2, 4, true}};
+    join_shares(shares);
+    CHECK(shares.size() == 2);
 
     FilmAppendix appendix = good_appendix();
     for (std::uint32_t i = 1; i < 100000; ++i)

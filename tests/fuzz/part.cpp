@@ -8,7 +8,7 @@ namespace {
 
 /// Returns a film file with these sums and a valid hash.
 std::string part_of(std::string_view sums) {
-    std::string content = "etalon-film 1\n";
+    std::string content = "etalon-film 2\n";
     content += sums;
     const std::uint64_t ending[] = {hash64(content), content.size()};
     content.append(reinterpret_cast<const char*>(ending), sizeof ending);
