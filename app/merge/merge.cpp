@@ -138,8 +138,8 @@ void warn_of_stopped(const MergedFilms& merged) {
 
 int run(const Arguments& a) {
     limit_memory(0);
-    if (const std::string error = check_writable(a.output); !error.empty()) {
-        return fail(exit_not_written, error);
+    if (const auto [error, status] = check_outputs({a.output}, a.parts); !error.empty()) {
+        return fail(status, error);
     }
     Result<MergedFilms> merged = merge_films(a.parts);
     if (!merged) return fail(exit_unusable, merged.error);

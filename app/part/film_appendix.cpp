@@ -15,6 +15,7 @@
 namespace etalon {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view first_line = "etalon-film 2\n";
@@ -220,7 +221,10 @@ std::string film_appendix(const FilmAppendix& appendix, const std::string& films
 
 Result<FilmAppendix> AppendixReader::open(const std::string& path) {
     std::error_code error;
-    const std::uint64_t size = std::filesystem::file_size(path, error);
+    if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {
+        return {{}, path + ": cannot be read: is no regular file"};
+    }
+    const std::uint64_t size = fs::file_size(path, error);
     file_.open(path, std::ios::binary);
     if (error || !file_) {
         return {{}, path + ": cannot be read" + (error ? ": " + error.message() : "")};

@@ -221,6 +221,22 @@ TEST_CASE("Parts of images with few and many samples merge by steps as they do a
     CHECK_THAT(by_steps.err, ContainsSubstring("may hold the same samples of seed 1"));
 }
 
+TEST_CASE("merge neither replaces a part nor waits for a pipe", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    REQUIRE(f.etalon("render ball.p3f --spp 2 -q --part 1/2 -o a.exr").status == 0);
+    REQUIRE(f.etalon("render ball.p3f --spp 2 -q --part 2/2 -o b.exr").status == 0);
+    const std::string before = f.read("a.exr");
+    const auto replacing = merge(f, {"b.exr", "a.exr"}, "a.exr");
+    CHECK(replacing.status == 2);
+    CHECK_THAT(replacing.err, ContainsSubstring("a.exr: is an input, which would be lost"));
+    CHECK(f.read("a.exr") == before);
+    REQUIRE(f.shell("mkfifo pipe.exr").status == 0);
+    const auto waiting = merge(f, {"pipe.exr", "a.exr"}, "m.exr");
+    CHECK(waiting.status == 3);
+    CHECK_THAT(waiting.err, ContainsSubstring("pipe.exr: cannot be read: is no regular file"));
+}
+
 TEST_CASE("A merged image of parts that were stopped says so", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
