@@ -79,10 +79,28 @@ TEST_CASE("a reference serves a crop, and one of another size is refused", "[app
     CHECK(f.stats()["error"]["max_abs"] == 0);
     const auto r = f.etalon("render ball.p3f --resolution 9x9 --reference reference.exr -o b.exr");
     CHECK(r.status == 3);
-    CHECK_THAT(r.err, ContainsSubstring("reference.exr: 32 x 24 pixels at 0,0; expected 9 x 9"));
+    CHECK_THAT(r.err,
+               ContainsSubstring("reference.exr: 32 x 24 pixels at 0,0 of a frame of 32 x 24; "
+                                 "expected 9 x 9 at 0,0, or all, of a frame of 9 x 9"));
     CHECK_FALSE(f.has("b.exr"));
     CHECK(f.etalon("render ball.p3f --crop 1,1,18,12 --reference a.exr -o b.exr").status == 3);
     CHECK(f.etalon("render ball.p3f --reference nowhere.exr").status == 3);
+}
+
+TEST_CASE("a reference of as many pixels from elsewhere, or of another frame, is refused",
+          "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::string render = "render ball.p3f --spp 1 -q -o ";
+    REQUIRE(f.etalon(render + "a.exr --resolution 100x100 --crop 50,50,70,60").status == 0);
+    REQUIRE(f.etalon(render + "b.exr --resolution 60x80 --crop 10,10,30,20").status == 0);
+    CHECK(f.etalon(render + "c.exr --resolution 20x10 --reference a.exr").status == 3);
+    CHECK(f.etalon(render + "c.exr --resolution 100x100 --crop 10,10,30,20 --reference b.exr")
+              .status == 3);
+    CHECK_FALSE(f.has("c.exr"));
+    REQUIRE(
+        f.etalon(render + "c.exr --resolution 60x80 --crop 10,10,30,20 --reference b.exr").status ==
+        0);
 }
 
 TEST_CASE("an invalid error, time or sampler is wrong usage", "[app]") {
