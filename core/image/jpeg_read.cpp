@@ -51,13 +51,26 @@ bool lacks_rows(const jpeg_decompress_struct& info) {
     return !restarts && info.input_iMCU_row + 1 < info.total_iMCU_rows;
 }
 
-/// Fails if a file or a scan ends early, which libjpeg would show as grey. Other warnings are
-/// ignored.
+/// Returns whether a scan refines blocks that no scan began, or begins them again. No program
+/// writes such files, of which a few bytes can stand for all blocks of a large image.
+bool begins_late(const jpeg_error_mgr& warning) {
+    return warning.msg_code == JWRN_BOGUS_PROGRESSION && warning.msg_parm.i[1] == 0;
+}
+
+/// Fails if a file or a scan ends early, which libjpeg would show as grey, or begins late. Other
+/// warnings are ignored.
 void note(j_common_ptr info, int level) {
     if (level >= 0) return;
     const int warning = info->err->msg_code;
     const auto& decoder = *reinterpret_cast<j_decompress_ptr>(info);
-    if (warning == JWRN_JPEG_EOF || (warning == JWRN_HIT_MARKER && lacks_rows(decoder))) fail(info);
+    const bool ends_early = warning == JWRN_HIT_MARKER && lacks_rows(decoder);
+    if (warning == JWRN_JPEG_EOF || ends_early || begins_late(*info->err)) fail(info);
+}
+
+/// Fails after more scans than any program writes, each of which takes the time of all blocks.
+void count_scans(j_common_ptr info) {
+    constexpr int most_scans = 100;
+    if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number > most_scans) fail(info);
 }
 
 /// Reads the rest of a file. The file's size is only a hint, since the file may change.
@@ -99,8 +112,10 @@ class JpegReader {
         info_.client_data = &jump_;
         errors_.error_exit = fail;
         errors_.emit_message = note;
+        progress_.progress_monitor = count_scans;
         opened_ = jump_.completes([&] {
             jpeg_create_decompress(&info_);
+            info_.progress = &progress_;
             if (extent == Extent::header)
                 jpeg_stdio_src(&info_, file);
             else
@@ -147,6 +162,7 @@ class JpegReader {
 
     LibraryJump jump_;
     jpeg_error_mgr errors_ = {};
+    jpeg_progress_mgr progress_ = {};
     jpeg_decompress_struct info_ = {};
     PixelBytes bytes_;
     std::vector<std::uint8_t> inks_;  ///< CMYK values of a row

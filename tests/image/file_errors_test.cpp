@@ -134,6 +134,25 @@ TEST_CASE("a file that claims more than it holds, or more than is read, is refus
     }
 }
 
+TEST_CASE("a progressive JPEG whose first scan is missing, or of hundreds of scans, is refused") {
+    const TemporaryFolder folder;
+    JpegKind kind;
+    kind.progressive = true;
+    const std::string jpeg = encoded_jpeg(kind, 64, 64);
+    const std::string scan = "\xff\xda", tables = "\xff\xc4";
+    const std::size_t first = jpeg.find(scan), second = jpeg.find(tables, first),
+                      third = jpeg.find(tables, jpeg.find(scan, second));
+    put(folder / "p.jpg", jpeg.substr(0, first) + jpeg.substr(second));
+    check_unreadable(folder / "p.jpg");
+
+    for (const auto& [scans, is_read] : {std::pair(50, true), std::pair(600, false)}) {
+        std::string many = jpeg.substr(0, second);
+        for (int i = 0; i < scans; ++i) many += jpeg.substr(second, third - second);
+        put(folder / "p.jpg", many + jpeg.substr(third));
+        CHECK(static_cast<bool>(read_image(folder / "p.jpg")) == is_read);
+    }
+}
+
 TEST_CASE("an EXR with flipped bytes is a image or an error") {
     const TemporaryFolder folder;
     RenderedImage rendered = random_image(40, 40);
