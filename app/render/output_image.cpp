@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <span>
 
 #include "app/common/program_facts.h"
 #include "core/render/camera_frame.h"
@@ -34,6 +36,14 @@ double pixel_aspect(const Camera& camera, const Imath::V2i& resolution) {
     return is_other ? aspect : 1;
 }
 
+/// Adds a matrix, unless floats cannot hold it.
+void add(const char* name, const Imath::M44d& matrix, RenderedImage& image) {
+    const Imath::M44f stored(matrix);
+    const std::span<const float> elements(stored[0], 16);
+    if (!std::ranges::all_of(elements, [](float x) { return std::isfinite(x); })) return;
+    image.metadata[name] = stored;
+}
+
 }  // namespace
 
 RenderedImage make_output_image(const Scene& scene, const RenderSettings& settings,
@@ -47,12 +57,12 @@ RenderedImage make_output_image(const Scene& scene, const RenderSettings& settin
                       {"scene", std::filesystem::path(stats.scene).filename().string()},
                       {"integrator", stats.integrator},
                       {"samplesPerPixel", static_cast<float>(rendering.samples)},
-                      {"seed", fmt::format("{}", stats.seed)},
-                      {"worldToCamera", Imath::M44f(camera.world_to_camera())}};
+                      {"seed", fmt::format("{}", stats.seed)}};
+    add("worldToCamera", camera.world_to_camera(), image);
+    if (camera.world_to_ndc()) add("worldToNDC", *camera.world_to_ndc(), image);
     if (const double aspect = pixel_aspect(scene.camera, settings.resolution); aspect != 1) {
         image.metadata["pixelAspectRatio"] = static_cast<float>(aspect);  // of OpenEXR
     }
-    if (camera.world_to_ndc()) image.metadata["worldToNDC"] = Imath::M44f(*camera.world_to_ndc());
     add_what_was_reached(stats, image);
     return image;
 }

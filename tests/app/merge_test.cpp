@@ -221,6 +221,17 @@ TEST_CASE("Parts of images with few and many samples merge by steps as they do a
     CHECK_THAT(by_steps.err, ContainsSubstring("may hold the same samples of seed 1"));
 }
 
+TEST_CASE("A part of a scene that is too large for a matrix of floats merges", "[app]") {
+    const Folder f;
+    f.write("far.p3f",
+            "camera eye 1e39 1e39 5e39 at 0 0 0 up 0 1 0 angle 45 hither 0 resolution 16 12 "
+            "aperture 0 focal 1\nlight punctual 3e39 5e39 4e39 1 1 1\n"
+            "mat 0.8 0.6 0.4 0.9 1 1 1 0 10 0 1\ns 0 0 0 1e39\n");
+    REQUIRE(f.etalon("render far.p3f --spp 2 -q --part 1/1 -o far.exr").status == 0);
+    merge_well(f, {"far.exr"}, "merged.exr");
+    CHECK(pixels(f.path("merged.exr")) == pixels(f.path("far.exr")));
+}
+
 TEST_CASE("merge neither replaces a part nor waits for a pipe", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
