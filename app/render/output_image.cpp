@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <span>
 
 #include "app/common/program_facts.h"
@@ -44,6 +45,12 @@ void add(const char* name, const Imath::M44d& matrix, RenderedImage& image) {
     image.metadata[name] = stored;
 }
 
+/// Returns a text with U+FFFD in place of bytes that are not UTF-8, as in JSON.
+std::string as_utf8(const std::string& text) {
+    using Json = nlohmann::json;
+    return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
 }  // namespace
 
 RenderedImage make_output_image(const Scene& scene, const RenderSettings& settings,
@@ -54,7 +61,7 @@ RenderedImage make_output_image(const Scene& scene, const RenderSettings& settin
     image.keep_display_values = settings.keep_display_values;
     image.metadata = {{"software", fmt::format("Etalon {}", build_facts().version)},
                       {"backend", stats.backend},
-                      {"scene", std::filesystem::path(stats.scene).filename().string()},
+                      {"scene", as_utf8(std::filesystem::path(stats.scene).filename())},
                       {"integrator", stats.integrator},
                       {"samplesPerPixel", static_cast<float>(rendering.samples)},
                       {"seed", fmt::format("{}", stats.seed)}};

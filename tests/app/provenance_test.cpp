@@ -114,3 +114,12 @@ TEST_CASE("--version shows the commit, the compiler, Embree and the instruction 
         CHECK_THAT(r.out, ContainsSubstring("\ninstruction set " + isa));
     }
 }
+
+TEST_CASE("A name that is not UTF-8 is UTF-8 in the files that have it", "[app]") {
+    const Folder f;
+    f.write("caf\xe9.p3f", small_scene);
+    REQUIRE(f.etalon("render caf*.p3f -q -o a.png -o a.exr").status == 0);
+    for (const char* file : {"a.png", "a.exr"}) {
+        CHECK_THAT(f.read(file), ContainsSubstring("caf\xef\xbf\xbd.p3f"));
+    }
+}
