@@ -211,14 +211,6 @@ void write_appendix(const std::string& line, const StateWriter::Sink& put,
     put({reinterpret_cast<const char*>(&ending), sizeof ending});
 }
 
-std::string film_appendix(const FilmAppendix& appendix, const std::string& films) {
-    std::string result;
-    write_appendix(
-        appendix_line(appendix), [&](std::string_view bytes) { result += bytes; },
-        [&](const StateWriter::Sink& put) { put(films); });
-    return result;
-}
-
 Result<FilmAppendix> AppendixReader::open(const std::string& path) {
     std::error_code error;
     if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {

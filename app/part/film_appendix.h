@@ -56,9 +56,6 @@ std::string appendix_line(const FilmAppendix& appendix);
 void write_appendix(const std::string& line, const StateWriter::Sink& put,
                     const std::function<void(const StateWriter::Sink&)>& write_films);
 
-/// The same in memory, for films as bytes.
-std::string film_appendix(const FilmAppendix& appendix, const std::string& films);
-
 /// Reads a file that ends with such an appendix. The file is open only while it is read, as there
 /// may be more files than a process can have open.
 class AppendixReader {

@@ -6,6 +6,7 @@
 
 #include "app/common/backends.h"
 #include "core/formats/nearest_name.h"
+#include "core/render/image_film.h"
 
 namespace etalon {
 namespace {
@@ -108,6 +109,21 @@ bool is_there(const AovInputs& there, Source source) {
     }
 }
 
+/// Returns the bytes of a pixel in what channels are made from, beside the image's own film.
+double bytes_of(Source source) {
+    switch (source) {
+        case Source::means:
+            return 2 * ImageFilm::bytes_per_pixel({});
+        case Source::centres:
+            return sizeof(Vec3f) + sizeof(float) + 2 * sizeof(std::uint32_t) +
+                   sizeof(TraversalCost);
+        case Source::parametrizations:
+            return sizeof(Imath::V2f) + 2 * sizeof(Vec3f);
+        default:
+            return 0;
+    }
+}
+
 void add(const Aov& aov, std::vector<float> values, std::vector<Channel>& channels) {
     channels.push_back({std::string(aov.name), std::move(values)});
 }
@@ -143,6 +159,18 @@ bool need_variance(const Names& names) {
 
 bool need_materials(const Names& names) {
     return std::ranges::find(names, "albedo") != names.end();
+}
+
+double aov_bytes_per_pixel(const Names& names) {
+    const std::vector<Aov> list = selected(names);
+    double bytes = 0;
+    for (const Source source : {Source::means, Source::centres, Source::parametrizations}) {
+        if (any_from(list, source)) bytes += bytes_of(source);
+    }
+    for (const Aov& aov : list) {
+        bytes += static_cast<double>(sizeof(float) * std::max<std::size_t>(aov.axes.size(), 1));
+    }
+    return bytes;
 }
 
 std::string check_aovs(const Names& names, const Backend& backend) {

@@ -24,6 +24,9 @@ bool need_materials(const std::vector<std::string>& names);
 /// Returns why the backend cannot produce all of them; empty if it can.
 std::string check_aovs(const std::vector<std::string>& names, const Backend& backend);
 
+/// Returns the bytes of memory of a pixel that making these takes.
+double aov_bytes_per_pixel(const std::vector<std::string>& names);
+
 /// Returns the channels of these, without duplicates, with as few rays as possible. `shading`: see
 /// surface_means(). The names of those that a stop prevented are added to `missing`.
 std::vector<Channel> make_aovs(const std::vector<std::string>& names, const Scene& scene,

@@ -43,7 +43,7 @@ bool write_image_file(const RenderArguments& a, const std::string& path, const R
     const std::string name = path == "-" ? "standard output" : path;
     auto file = encode_image(format_name(a, path), image, a.exposure);
     if (!file) return fail_with(name + ": cannot be written: " + file.error);
-    if (can_hold_channels(format_name(a, path))) file.value += kept.appendix(image);
+    if (can_hold_channels(format_name(a, path))) kept.append_film(image, file.value);
     if (path == "-") return write_result(file.value);  // a failure is reported at the end
     const std::string error = write_file_atomically(path, file.value);
     return error.empty() || fail_with(error);

@@ -69,10 +69,15 @@ void KeptState::attach(RunControl& control) {
     };
 }
 
-std::string KeptState::appendix(const RenderedImage& image) const {
-    if (!is_part()) return {};
-    return film_appendix({identity_, metadata_json(image), {one_film(identity_, film_.size())}},
-                         film_);
+void KeptState::append_film(const RenderedImage& image, std::string& file) const {
+    if (!is_part()) return;
+    const std::string line =
+        appendix_line({identity_, metadata_json(image), {one_film(identity_, film_.size())}});
+    constexpr std::size_t beside = 100;  // at most: the first line, and what ends the file
+    file.reserve(file.size() + line.size() + film_.size() + beside);
+    write_appendix(
+        line, [&](std::string_view bytes) { file += bytes; },
+        [&](const StateWriter::Sink& put) { put(film_); });
 }
 
 void KeptState::fill(RenderStats& stats, const Rendering& rendering) const {

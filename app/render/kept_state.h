@@ -41,8 +41,8 @@ class KeptState {
     /// Returns whether there is a checkpoint of the image.
     bool is_resumable() const { return resumed_ || (writer_ && writer_->written() > 0); }
 
-    /// Returns the appendix of the EXR of a part; empty for other images.
-    std::string appendix(const RenderedImage& image) const;
+    /// Appends what the EXR of a part holds beside the image.
+    void append_film(const RenderedImage& image, std::string& file) const;
 
     void fill(RenderStats& stats, const Rendering& rendering) const;
 

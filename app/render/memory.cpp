@@ -2,22 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/common/memory_limit.h"
+#include "app/render/aovs.h"
 #include "core/render/image_film.h"
 
 namespace etalon {
 namespace {
 
-/// Least memory of a pixel: its part of the film, and its colour.
-double bytes_per_pixel(const RenderSettings& settings) {
-    return ImageFilm::bytes_per_pixel(settings) + sizeof(Color);
+/// Returns the least memory of a pixel: its part of the film, and its colour or AOVs, which are
+/// made before. The film of a part is twice more in memory when it is written: as bytes, and in the
+/// file.
+double bytes_per_pixel(const RenderArguments& a, const RenderSettings& settings) {
+    const double film = ImageFilm::bytes_per_pixel(settings);
+    const double image = std::max<double>(sizeof(Color), aov_bytes_per_pixel(a.aovs));
+    return (a.part.empty() ? film : 3 * film) + image;
 }
 
 }  // namespace
 
-std::string check_memory(const RenderSettings& settings) {
+std::string check_memory(const RenderArguments& a, const RenderSettings& settings) {
     const Imath::V2i size = settings.window().size() + Imath::V2i(1);
-    const double needed = bytes_per_pixel(settings) * size.x * size.y, available = memory_limit();
+    const double needed = bytes_per_pixel(a, settings) * size.x * size.y,
+                 available = memory_limit();
     if (needed <= available) return {};
     return fmt::format("{} x {} pixels need {}; the program may take {} (--max-memory)", size.x,
                        size.y, bytes_text(needed), bytes_text(available));

@@ -80,7 +80,7 @@ int RenderRun::render_and_write() {
     is_written_ = written;
     if (SignalGuard::signal() != 0) return exit_signal + SignalGuard::signal();
     if (!written) return exit_not_written;
-    return usable ? exit_done : exit_unusable;
+    return usable && !lacks_channels_ ? exit_done : exit_unusable;
 }
 
 int RenderRun::prepare() {
@@ -96,7 +96,7 @@ int RenderRun::prepare() {
     const std::string error = apply_overrides(a_, scene_, settings_);
     if (!error.empty()) return fail_with(error), exit_usage;
     if (a_.outputs.empty()) a_.outputs = {default_output(a_.scene.path)};
-    if (const std::string missing = check_memory(settings_); !missing.empty()) {
+    if (const std::string missing = check_memory(a_, settings_); !missing.empty()) {
         return fail_with(missing), exit_unusable;
     }
     return exit_done;
@@ -198,7 +198,7 @@ const PhysicalShading* RenderRun::shading() const {
     return shading_ ? &*shading_ : integrator_->shading();
 }
 
-std::vector<Channel> RenderRun::make_channels(const Film& film) {
+std::vector<Channel> RenderRun::make_channels(const Film& film) try {
     std::vector<std::string> missing;
     auto channels = make_aovs(a_.aovs, scene_, *intersector_, shading(), film, settings_,
                               SignalGuard::raised(), missing);
@@ -207,6 +207,10 @@ std::vector<Channel> RenderRun::make_channels(const Film& film) {
     }
     stats_.aovs = watch_.lap();
     return channels;
+} catch (const std::bad_alloc&) {
+    fail_with("--aov: not enough memory; the image is written without further channels");
+    lacks_channels_ = true;
+    return {};
 }
 
 bool RenderRun::write(const Rendering& rendering) {

@@ -60,6 +60,7 @@ class RenderRun {
     const PhysicalShading* shading() const;
 
     bool write(const Rendering& rendering);
+    /// Returns the AOVs, or nothing and an error message if memory is lacking.
     std::vector<Channel> make_channels(const Film& film);
     void fill_stats(const Rendering& rendering);
     std::string why_stopped(const Rendering& rendering) const;
@@ -82,7 +83,8 @@ class RenderRun {
     std::unique_ptr<Integrator> integrator_;
     std::optional<PhysicalShading> shading_;  ///< for AOVs, if the integrator has none
     bool is_written_ = false;
-    LiveViews views_{a_};  ///< declared last, so that they end first
+    bool lacks_channels_ = false;  ///< AOVs, for lack of memory
+    LiveViews views_{a_};          ///< declared last, so that they end first
 };
 
 }  // namespace etalon

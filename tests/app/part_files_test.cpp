@@ -28,6 +28,14 @@ std::string film_bytes(ImageFilm film) {
     return bytes;
 }
 
+std::string film_appendix(const FilmAppendix& appendix, const std::string& films) {
+    std::string result;
+    write_appendix(
+        appendix_line(appendix), [&](std::string_view bytes) { result += bytes; },
+        [&](const StateWriter::Sink& put) { put(films); });
+    return result;
+}
+
 std::string error_of(FilmAppendix appendix, const std::string& film) {
     const test::TemporaryFolder folder;
     const std::string path = folder / "part.exr";

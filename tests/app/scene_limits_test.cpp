@@ -151,6 +151,21 @@ TEST_CASE("An image that needs more than --max-memory is refused before it is be
     CHECK(r.peak_bytes < 100'000'000);
 }
 
+TEST_CASE("The memory of channels, and of a part's film, is known before the image is begun",
+          "[app][limits]") {
+    const Folder f;
+    f.write("a.p3f", small_scene);
+    const std::string render = "render a.p3f --resolution 1500x1500 --spp 1 -t 1 -q -o a.exr ";
+    for (const std::string more :
+         {"--max-memory 400M --aov albedo,N,P,Z,uv,dpdu,dpdv,primitiveId,instanceId,sampleCount",
+          "--max-memory 200M --part 1/1"}) {
+        const ProgramResult r = f.etalon(render + more);
+        CAPTURE(more);
+        CHECK(r.status == 3);
+        CHECK_THAT(r.err, ContainsSubstring("1500 x 1500 pixels need"));
+    }
+}
+
 TEST_CASE("A scene that needs more than --max-memory is an error", "[app][limits]") {
     const Folder f;
     constexpr int count = 100'000;
