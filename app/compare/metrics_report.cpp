@@ -14,7 +14,7 @@ constexpr Metric metrics_table[] = {
     {"relmse", [](const Metrics& m) { return Json(m.relmse); }, false,
      "mean of (A - B)^2 / (B^2 + 0.01)"},
     {"mae", [](const Metrics& m) { return Json(m.mae); }, false, "mean of |A - B|"},
-    {"psnr", [](const Metrics& m) { return Json(m.psnr); }, true, "dB, of linear values up to 1"},
+    {"psnr", [](const Metrics& m) { return Json(m.psnr); }, true, "dB, of values up to 1"},
     {"ssim", [](const Metrics& m) { return Json(m.ssim); }, true, "1 where A and B are alike"},
     {"flip", [](const Metrics& m) { return Json(m.flip); }, false,
      "difference seen, 67 pixels a degree"},
