@@ -256,25 +256,32 @@ Strings names_of(const std::vector<ConversionWarning>& lost) {
 
 }  // namespace
 
-TEST_CASE("what is small and far from the origin keeps its shape and is listed") {
-    const Vec3 far(4'500'000, 500'000, 0);
-    const LoadResult before = load_objects(
-        "l 4500000.3 500000.1 2\np 3 4500000.1 500000 0 4500000.2 500000 0 4500000.1 500000.1 0\n");
+TEST_CASE("a scene far from the origin is moved there, as its coordinates become floats") {
+    const std::string camera =
+        "camera\neye 4500000 500000 5\nat 4500000 500000 0\nup 0 1 0\nangle 45\nhither 0\n"
+        "resolution 40 30\naperture 0\nfocal 1\n";
+    const LoadResult before =
+        load_p3f_text(camera + good_material + "l 4500000.3 500000.1 2 1 1 1\n" +
+                      "p 3 4500000.1 500000 0 4500000.2 500000 0 4500000.1 500000.1 0\n");
     const WrittenScene written = write_pbrt(*before.scene, before.settings, "");
-    CHECK(names_of(written.lost) == Strings{"light that does not fall off, now one that does",
-                                            "light too far from the origin for pbrt-v3's floats",
-                                            "mesh too far from the origin for pbrt-v3's floats"});
+    CHECK(names_of(written.lost) == Strings{"light that does not fall off, now one that does"});
     const LoadResult after = load_scene_text(written.text, "far.pbrt", {});
     CHECK(messages(after).empty());
     const Geometry& mesh = after.scene->geometry;
     REQUIRE(mesh.primitives.size() == 1);
-    const std::array corners = {Vec3(.1, 0, 0), Vec3(.2, 0, 0), Vec3(.1, .1, 0)};
+    const std::array corners = {Vec3(.1, 0, -5), Vec3(.2, 0, -5), Vec3(.1, .1, -5)};
     for (std::uint32_t i = 0; i < 3; ++i) {
         const Vec3 corner = mesh.vertex(mesh.get<Triangle>(mesh.primitives[0]).vertices[i]);
-        CHECK(max_abs(corner - far - corners[i]) < 1e-7);
+        CHECK(max_abs(corner - corners[i]) < 1e-7);
     }
     const auto& light = std::get<PointSource>(after.scene->physical().lights.at(0));
-    CHECK(max_abs(light.position - far - Vec3(.3, .1, 2)) < 1e-7);
+    CHECK(max_abs(light.position - Vec3(.3, .1, -3)) < 1e-7);
+}
+
+TEST_CASE("a mesh that floats cannot express where it is is listed") {
+    const LoadResult r = load_objects("p 3 100000.1 0 0 100000.2 0 0 100000.1 .1 0\n");
+    CHECK(names_of(write_pbrt(*r.scene, r.settings, "").lost) ==
+          Strings{"mesh that is too small for its distance from the origin"});
 }
 
 TEST_CASE("faces without area are left out") {

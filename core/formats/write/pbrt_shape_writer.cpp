@@ -20,11 +20,17 @@ bool is_planar(const PolygonFacts& facts) {
     return facts.projection.off_plane <= 1e-6 * size * std::sqrt(normal.dot(normal));
 }
 
-}  // namespace
-
-bool is_rounded(const Vec3& p, double size) {
-    return !(max_abs(p - Vec3(Vec3f(p))) <= 0x1p-14 * size);
+/// Returns whether the rounding of PBRT's floats moves a vertex by so much of the mesh's size that
+/// it may show.
+bool changes_as_floats(std::span<const Vec3> vertices) {
+    Box3 box;
+    for (const Vec3& v : vertices) box.extendBy(v);
+    const double harmless = 0x1p-14 * max_abs(box.size());
+    return std::ranges::any_of(
+        vertices, [&](const Vec3& v) { return !(max_abs(v - Vec3(Vec3f(v))) <= harmless); });
 }
+
+}  // namespace
 
 double distance_to_view_plane(const Camera& camera) {
     const Vec3 view = camera.at - camera.eye;
@@ -38,52 +44,32 @@ void PbrtShapeWriter::primitive(const Geometry& geometry, const Primitive& p) {
 /// Leaves out faces without area, which are errors where the file is read strictly.
 void PbrtShapeWriter::mesh(std::span<const Vec3> vertices, std::span<const Vec3> normals,
                            std::span<const Face> faces) {
-    const Vec3 origin = origin_of(vertices);
+    if (changes_as_floats(vertices)) {
+        lost_.add("mesh that is too small for its distance from the origin");
+    }
     const auto has_area = [&](const Face& face) {
-        const auto stored = [&](std::uint32_t i) { return Vec3(Vec3f(vertices[i] - origin)); };
+        const auto stored = [&](std::uint32_t i) { return Vec3(Vec3f(vertices[i])); };
         const Vec3 a = stored(face[0]);
         return (stored(face[1]) - a).cross(stored(face[2]) - a) != Vec3(0);
     };
     if (std::ranges::none_of(faces, has_area)) return;
-    if (origin != Vec3(0)) begin_place(translation(origin));
     out_.line("Shape \"trianglemesh\" \"integer indices\" [");
     for (const auto& face : faces) {
         if (has_area(face)) out_.line("{} {} {}", face[0], face[1], face[2]);
     }
     out_.line("] \"point P\" [");
-    for (const Vec3& v : vertices) out_.line("{}", v - origin);
+    for (const Vec3& v : vertices) out_.line("{}", v);
     if (!normals.empty()) out_.line("] \"normal N\" [");
     for (const Vec3& n : normals) out_.line("{}", n);
     out_.line("]");
-    if (origin != Vec3(0)) end_place();
-}
-
-/// Returns the point from which a mesh's coordinates are written: the origin of the world, or the
-/// centre of a mesh whose shape the rounding of floats would change.
-Vec3 PbrtShapeWriter::origin_of(std::span<const Vec3> vertices) {
-    Box3 box;
-    for (const Vec3& v : vertices) box.extendBy(v);
-    const double size = max_abs(box.size());
-    const auto rounded = [&](const Vec3& v) { return is_rounded(v, size); };
-    if (std::ranges::none_of(vertices, rounded)) return Vec3(0);
-    lost_.add("mesh too far from the origin for pbrt-v3's floats");
-    return box.center();
 }
 
 /// PBRT's matrices are column by column.
-void PbrtShapeWriter::begin_place(const Affine& to_world) {
+void PbrtShapeWriter::placed(const Affine& to_world, std::string_view statement) {
     const auto& [x, y, z, origin] = to_world;
     out_.line("TransformBegin\nTransform [ {} 0  {} 0  {} 0  {} 1 ]", x, y, z, origin);
-}
-
-void PbrtShapeWriter::end_place() {
-    out_.line("TransformEnd");
-}
-
-void PbrtShapeWriter::placed(const Affine& to_world, std::string_view statement) {
-    begin_place(to_world);
     out_.line("{}", statement);
-    end_place();
+    out_.line("TransformEnd");
 }
 
 void PbrtShapeWriter::write(const Sphere& s) {

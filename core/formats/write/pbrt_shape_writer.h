@@ -15,10 +15,6 @@ namespace etalon {
 /// Returns the distance from a camera to its view plane.
 double distance_to_view_plane(const Camera& camera);
 
-/// Returns whether the floats in which PBRT stores a point are so far from it that it shows in what
-/// is of that size.
-bool is_rounded(const Vec3& p, double size);
-
 /// Writes shapes as statements of PBRT.
 class PbrtShapeWriter {
   public:
@@ -52,10 +48,6 @@ class PbrtShapeWriter {
     void write(const StoredPolygon& p);
     void write(const Plane& p);
     void write_facets(const Cone& cone);
-
-    Vec3 origin_of(std::span<const Vec3> vertices);
-    void begin_place(const Affine& to_world);
-    void end_place();
 
     LineWriter& out_;
     ConversionWarnings& lost_;

@@ -10,7 +10,7 @@
 #include "core/formats/write/pbrt_shape_writer.h"
 #include "core/formats/write/text.h"
 #include "core/formats/write/write.h"
-#include "core/numerics/transforms.h"
+#include "core/scene/transformed.h"
 
 namespace etalon {
 namespace {
@@ -80,20 +80,10 @@ class PbrtScene {
     /// Writes a light that is not a shape.
     void write_light(const PhysicalLight& light) {
         if (const auto* point = std::get_if<PointSource>(&light)) {
-            write_point(*point);
+            out_.line("LightSource \"point\" \"rgb I\" [ {} ] \"point from\" [ {} ]",
+                      point->intensity, point->position);
         } else if (const auto* infinite = std::get_if<InfiniteSource>(&light)) {
             out_.line("LightSource \"infinite\" \"rgb L\" [ {} ]", infinite->radiance);
-        }
-    }
-
-    void write_point(const PointSource& point) {
-        const std::string light =
-            fmt::format("LightSource \"point\" \"rgb I\" [ {} ]", point.intensity);
-        if (is_rounded(point.position, distance_to_view_plane(scene_.camera))) {
-            lost_.add("light too far from the origin for pbrt-v3's floats");
-            shapes_.placed(translation(point.position), light);
-        } else {
-            out_.line("{} \"point from\" [ {} ]", light, point.position);
         }
     }
 
@@ -160,6 +150,14 @@ class PbrtScene {
     std::uint32_t material_ = no_index;
 };
 
+/// Returns the scene, moved so that the eye is the origin if it is so far from there that the
+/// rounding of coordinates to PBRT's floats would show in the image.
+Scene near_origin(Scene scene) {
+    const Vec3 eye = scene.camera.eye;
+    if (max_abs(eye) <= 0x1p10 * distance_to_view_plane(scene.camera)) return scene;
+    return transformed(std::move(scene), 1, -eye);
+}
+
 /// Warns of properties of the look that path tracing renders differently from the format.
 void warn_of_losses(const WhittedLook& look, ConversionWarnings& lost) {
     if (look.environment.skybox) {
@@ -184,6 +182,7 @@ WrittenScene write_pbrt(const Scene& scene, const RenderSettings& settings,
     Scene physical = scene;
     RenderSettings physical_settings = settings;
     make_physical(physical, physical_settings);
+    physical = near_origin(std::move(physical));
     std::string text = PbrtScene(physical, physical_settings, lost).write();
     return {std::move(text), "PBRT", lost.take()};
 }
