@@ -13,11 +13,12 @@
 namespace etalon {
 namespace detail {
 
+/// Throws if the program's own folder is unknown, as without /proc: any other folder, such as the
+/// current one, may be a stranger's.
 inline std::vector<std::filesystem::path> module_folders() {
     namespace fs = std::filesystem;
     if (const char* chosen = std::getenv("ETALON_MODULE_PATH")) return {chosen};
-    std::error_code none;
-    const fs::path prefix = fs::read_symlink("/proc/self/exe", none).parent_path().parent_path();
+    const fs::path prefix = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
     return {prefix / "lib", prefix / "lib" / "etalon"};
 }
 

@@ -95,3 +95,18 @@ TEST_CASE("a damaged face does not lose the image", "[app]") {
     CHECK(strict.status == 3);
     CHECK(f.read("a.png") == f.read("b.png"));
 }
+
+TEST_CASE("Without /proc no library is loaded from the current folder", "[app][needs_unshare]") {
+    const Folder f;
+    const std::string without_proc = "unshare -rm sh -c 'mount -t tmpfs none /proc && ";
+    SKIP_UNLESS(f.shell(without_proc + "true'").status == 0, "unshare is not allowed");
+    f.shell("mkdir lib && cp '" ETALON_BINARY_DIR "/lib/fault_injection.so' lib/etalon_oiio.so");
+    f.write("t.pgm", "P5 1 1 255\nx");
+    f.write("s.pbrt",
+            "Camera \"perspective\" WorldBegin Texture \"t\" \"spectrum\" \"imagemap\" \"string "
+            "filename\" \"t.pgm\" Material \"matte\" \"texture Kd\" \"t\" Shape \"sphere\" "
+            "WorldEnd\n");
+    const ProgramResult r = f.shell(without_proc + ETALON_BINARY_DIR
+                                    "/bin/etalon render s.pbrt -t 1 --spp 1 -q -o a.exr'");
+    CHECK_THAT(r.err, ContainsSubstring("/proc/self/exe"));
+}
