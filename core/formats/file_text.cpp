@@ -43,10 +43,15 @@ FileText read_all(std::FILE* stream, std::size_t expected) {
     return file;
 }
 
-FileText read_unnoted(const std::string& path) {
-    if (path == "-") return read_all(stdin, 0);
+FileText read_unnoted(const std::string& path, FileKind kind) {
+    if (path == "-" && kind == FileKind::any) return read_all(stdin, 0);
     std::error_code unknown;
-    if (std::filesystem::is_directory(path, unknown)) return failure("is a directory");
+    const std::filesystem::file_status status = std::filesystem::status(path, unknown);
+    if (std::filesystem::is_directory(status)) return failure("is a directory");
+    if (kind == FileKind::regular && std::filesystem::exists(status) &&
+        !std::filesystem::is_regular_file(status)) {
+        return failure("is a pipe or device; expected a file");
+    }
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                                std::fclose);
     if (!file) return failure("cannot be opened: " + reason());
@@ -60,8 +65,8 @@ FileText read_unnoted(const std::string& path) {
 
 }  // namespace
 
-FileText read_file(const std::string& path) {
-    FileText file = read_unnoted(path);
+FileText read_file(const std::string& path, FileKind kind) {
+    FileText file = read_unnoted(path, kind);
     if (file.error.empty()) ReadLog::note(path, file.text());
     return file;
 }

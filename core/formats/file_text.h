@@ -20,7 +20,11 @@ struct FileText {
 /// of this size can still be numbered with 32 bits.
 inline constexpr std::size_t largest_file = std::size_t{1} << 34;
 
+/// What may be read. A pipe that a scene names might never have a writer; one that the user names
+/// has one.
+enum class FileKind { any, regular };
+
 /// Reads a whole file of at most largest_file bytes; "-" is standard input.
-FileText read_file(const std::string& path);
+FileText read_file(const std::string& path, FileKind kind = FileKind::any);
 
 }  // namespace etalon

@@ -36,11 +36,11 @@ const char* map(const std::string& path, std::size_t& size) {
 
 }  // namespace
 
-MappedFile::MappedFile(const std::string& path) : mapped_(map(path, size_)) {
+MappedFile::MappedFile(const std::string& path, FileKind kind) : mapped_(map(path, size_)) {
     if (mapped_) {
         ReadLog::note(path, text());
     } else {
-        read_ = read_file(path);
+        read_ = read_file(path, kind);
     }
 }
 

@@ -14,7 +14,7 @@ namespace etalon {
 class MappedFile {
   public:
     /// Maps a whole file of at most largest_file bytes.
-    explicit MappedFile(const std::string& path);
+    explicit MappedFile(const std::string& path, FileKind kind = FileKind::any);
     ~MappedFile();
     MappedFile(MappedFile&& other) noexcept { *this = std::move(other); }
     MappedFile& operator=(MappedFile&& other) noexcept;

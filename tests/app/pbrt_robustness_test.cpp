@@ -63,7 +63,7 @@ TEST_CASE("Files that a PBRT scene lacks are said at the statement that names th
     check_said(f, "Shape \"plymesh\" \"string filename\" \"none.ply\"",
                "bad.pbrt:7:1: warning: \"plymesh\" left out: none.ply: cannot be opened");
     check_said(f, "Shape \"plymesh\" \"string filename\" \"/dev/zero\"",
-               "bad.pbrt:7:1: warning: \"plymesh\" left out: /dev/zero: is a device");
+               "bad.pbrt:7:1: warning: \"plymesh\" left out: /dev/zero: is a pipe or device");
     check_said(f, grey_texture,
                "bad.pbrt:7:1: warning: none.png: cannot be read: No such file or directory; grey "
                "stands in");
@@ -214,4 +214,22 @@ TEST_CASE("info shows the field of view of PBRT cameras", "[app]") {
     const ProgramResult environment = f.etalon("info b.pbrt --json");
     CHECK_THAT(environment.out, ContainsSubstring("\"projection\": \"environment\""));
     CHECK_THAT(environment.out, ContainsSubstring("\"fov_degrees\": 180"));
+}
+
+TEST_CASE("A pipe that a PBRT scene names is not waited for", "[app]") {
+    const Folder f;
+    f.shell("mkfifo pipe.ply");
+    const char* worlds[] = {R"(Include "pipe.ply")",
+                            R"(Shape "plymesh" "string filename" "pipe.ply")",
+                            R"(Material "fourier" "string bsdffile" "pipe.ply")",
+                            R"(Material "matte" "spectrum Kd" "pipe.ply")",
+                            R"(Texture "t" "spectrum" "imagemap" "string filename" "pipe.ply")"};
+    for (const char* world : worlds) {
+        INFO(world);
+        f.write("bad.pbrt", scene_with(world));
+        const auto r = f.shell("timeout -s KILL 30 " ETALON_BINARY_DIR
+                               "/bin/etalon render bad.pbrt -t 1 -q -o bad.exr");
+        CHECK((r.status == 0 || r.status == 3));
+        CHECK_THAT(r.err, ContainsSubstring("a pipe or device; expected a file"));
+    }
 }

@@ -12,7 +12,7 @@ Color SpectrumFiles::color(const std::string& name, FileLoc where) {
 }
 
 Color SpectrumFiles::read(const std::string& path, FileLoc where) {
-    const FileText file = read_file(path);
+    const FileText file = read_file(path, FileKind::regular);
     if (!file.error.empty()) {
         log_.warn(where, "file", "the spectrum {} {}; it is black", in_quotes(path), file.error);
         return Color(0.0F);

@@ -94,7 +94,7 @@ void TokenStream::include(const std::string& name, FileLoc where) {
         log_.error(where, "include", "{} is not included: {}", in_quotes(path), why);
         return;
     }
-    auto file = std::make_unique<MappedFile>(path);
+    auto file = std::make_unique<MappedFile>(path, FileKind::regular);
     if (!file->error().empty()) {
         log_.error(where, "include", "{} {}; it is left out", in_quotes(path), file->error());
         return;

@@ -14,7 +14,7 @@ namespace {
 MeshFile read_mesh(Loader& loader, const std::string& path) {
     std::error_code unknown;
     if (!std::filesystem::is_regular_file(path, unknown)) return {{}, "there is no such file"};
-    const FileText file = read_file(path);
+    const FileText file = read_file(path, FileKind::regular);
     if (!file.error.empty()) return {{}, "it " + file.error};
     DiagnosticLog log(path, file.text(), loader.options.strict);
     MeshFile result{read_obj(file.text(), log), {}};

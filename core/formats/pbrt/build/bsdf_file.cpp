@@ -117,7 +117,7 @@ const BsdfFiles::Table& BsdfFiles::read(const std::string& path) {
         table.error = "no bsdffile is given";
         return table;
     }
-    const FileText file = read_file(path);
+    const FileText file = read_file(path, FileKind::regular);
     Result<FourierTable> parsed{{}, file.error};
     if (file.error.empty()) parsed = parse_bsdf_file(file.text());
     if (parsed) {

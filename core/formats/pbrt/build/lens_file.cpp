@@ -28,7 +28,7 @@ std::string check_surface(const LensSurface& s) {
 
 Result<std::vector<LensSurface>> read_lens_file(const std::string& path, bool strict,
                                                 DiagnosticList& log) {
-    const FileText file = read_file(path);
+    const FileText file = read_file(path, FileKind::regular);
     if (!file.error.empty()) return {{}, fmt::format("{} {}", in_quotes(path), file.error)};
     DiagnosticLog problems(path, file.text(), strict);
     const std::vector<PlacedNumber> numbers = read_number_text(file.text(), problems);

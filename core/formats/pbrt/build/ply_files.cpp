@@ -14,7 +14,7 @@ constexpr std::uintmax_t most_bytes = 64 << 20;
 
 PlyFile read(const Shape& shape, bool strict) {
     PlyFile result{std::string(shape.plugin.parameters.string("filename")), {}, {}, {}};
-    const MappedFile file(result.path);
+    const MappedFile file(result.path, FileKind::regular);
     result.error = file.error();
     if (!result.error.empty()) return result;
     DiagnosticLog log(result.path, file.text(), strict);
