@@ -24,17 +24,25 @@ struct Refused {};
     throw std::runtime_error(reason);
 }
 
-/// First bytes of the files of a format.
+/// First bytes of the files of a format. OpenImageIO takes a PFM with other line ends for one whose
+/// pixels begin a byte later: it has no reader here.
 struct Signature {
     std::string_view start;
     std::string_view name;    ///< for messages
-    std::string_view format;  ///< OpenImageIO's
+    std::string_view format;  ///< OpenImageIO's; empty if it reads these wrong
 };
-constexpr Signature signatures[] = {{"#?", "HDR", "hdr"},           {"PF\n", "PFM", "pnm"},
-                                    {"Pf\n", "PFM", "pnm"},         {"\xff\xd8", "JPEG", "jpeg"},
-                                    {"BM", "BMP", "bmp"},           {"GIF8", "GIF", "gif"},
-                                    {"RIFF", "WebP", "webp"},       {{"II*\0", 4}, "TIFF", "tiff"},
-                                    {{"MM\0*", 4}, "TIFF", "tiff"}, {"8BPS", "PSD", "psd"}};
+constexpr Signature signatures[] = {{"#?", "HDR", "hdr"},
+                                    {"PF\n", "PFM", "pnm"},
+                                    {"Pf\n", "PFM", "pnm"},
+                                    {"\xff\xd8", "JPEG", "jpeg"},
+                                    {"BM", "BMP", "bmp"},
+                                    {"GIF8", "GIF", "gif"},
+                                    {"RIFF", "WebP", "webp"},
+                                    {{"II*\0", 4}, "TIFF", "tiff"},
+                                    {{"MM\0*", 4}, "TIFF", "tiff"},
+                                    {"8BPS", "PSD", "psd"},
+                                    {"PF\r", "PFM", ""},
+                                    {"Pf\r", "PFM", ""}};
 
 /// Returns the signature of a file, or null if its format is unknown.
 const Signature* signature_of(const char* path) {
@@ -98,6 +106,10 @@ std::unique_ptr<OIIO::ImageInput> open(const char* path, const Signature* signat
     if (spec.depth != 1 || spec.deep) fail("volumes and deep images are not supported");
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) fail("it has no pixels");
     if (std::max(spec.width, spec.height) > max_side) fail("larger than 65536 pixels");
+    // OpenImageIO multiplies its colours by alpha, although they are asked for as stored.
+    if (signature != nullptr && signature->format == "webp" && spec.nchannels > 3) {
+        fail("a WebP with alpha is not supported");
+    }
     return input;
 }
 

@@ -81,6 +81,18 @@ TEST_CASE("colours are not multiplied by alpha") {
     CHECK(std::get<Bytes>(image.pixels) == Bytes{200, 20, 10, 64});
 }
 
+TEST_CASE("what OpenImageIO reads wrong is refused") {
+    const TemporaryFolder folder;
+    const Bytes webp = {'R', 'I', 'F', 'F',  24,   0,    0,    0,  'W', 'E',  'B',
+                        'P', 'V', 'P', '8',  'L',  11,   0,    0,  0,   0x2f, 1,
+                        64,  0,   16,  0x28, 0x4d, 0xff, 0xa3, 64, 1,   0};
+    put(folder / "p.webp", text_of(webp));
+    CHECK_THAT(read_image(folder / "p.webp").error,
+               ContainsSubstring("a WebP with alpha is not supported"));
+    put(folder / "p.pfm", "PF\r\n1 1\r\n-1.0\r\n" + std::string(12, 'x'));
+    CHECK_THAT(read_image(folder / "p.pfm").error, ContainsSubstring("the PFM is damaged"));
+}
+
 TEST_CASE("one channel is grey") {
     const TemporaryFolder folder;
     const Image image = read(folder, "p.pgm", "P5 1 2 255\n" + text_of({51, 102}));
