@@ -119,7 +119,8 @@ bool write_reports(const AccuracyArguments& a, const std::vector<HardCase>& case
         written &= write_json(a.json, json);
     }
     if (!a.markdown.empty()) {
-        const std::string mark = stopped.is_null() ? "" : (stopped == "signal" ? partial : unfinished) + "\n";
+        const std::string mark =
+            stopped.is_null() ? "" : (stopped == "signal" ? partial : unfinished) + "\n";
         written &= write_text(a.markdown, mark + accuracy::markdown(rows));
     }
     return (a.plots.empty() || write_plots(a.plots, cases, rows)) && written;

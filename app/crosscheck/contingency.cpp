@@ -18,8 +18,8 @@ std::string rays(std::size_t count) {
 }
 
 /// Returns how probable it is that one of two that are equally likely happens at most `less` times
-/// of all, or at least `more` times: McNemar's test by the binomial distribution, which is right for
-/// few, too.
+/// of all, or at least `more` times: McNemar's test by the binomial distribution, which is right
+/// for few, too.
 double probability(std::size_t less, std::size_t more) {
     const auto all = static_cast<double>(less + more);
     auto k = static_cast<double>(less);

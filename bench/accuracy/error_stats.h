@@ -68,7 +68,7 @@ struct Row {
     ErrorStats stats;
     double nanoseconds = 0;  ///< per ray, median over blocks of rays, CPU time
     double cost = 0;         ///< relative to the first textbook kernel on the same rays; 0 if none
-    bool partial = false;    ///< fewer rays than planned: stopped, out of time, or see Budget::tests
+    bool partial = false;  ///< fewer rays than planned: stopped, out of time, or see Budget::tests
 };
 
 }  // namespace etalon::accuracy

@@ -48,8 +48,8 @@ bool write_file(const FramesArguments& a, const std::vector<frames::FrameFigures
     return write_json(a.json, json);
 }
 
-/// Measures the scenes until a stop or the first error, which it returns. Writes the file after each
-/// scene, in case the next one exhausts the memory.
+/// Measures the scenes until a stop or the first error, which it returns. Writes the file after
+/// each scene, in case the next one exhausts the memory.
 std::string measure_all(const FramesArguments& a, std::vector<frames::FrameFigures>& figures) {
     for (const std::string& scene : a.scenes) {
         if (a.config.is_over()) break;

@@ -143,7 +143,8 @@ bool write_data(const std::string& folder, const Results& results, const Page& p
 
 bool is_file_of_report(const std::string& name, const Page& page) {
     if (name == "index.html" || name == "data.json") return true;
-    return name.ends_with(".csv") && std::ranges::any_of(page.sections, [&](const Section& section) {
+    return name.ends_with(".csv") &&
+           std::ranges::any_of(page.sections, [&](const Section& section) {
                return name.starts_with(section.id + '-');
            });
 }

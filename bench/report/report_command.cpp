@@ -62,7 +62,8 @@ class Report {
             return exit_not_written;
         }
         if (!results_.missing.empty()) {
-            print_message("etalon-bench: warning: the report is incomplete: {}\n", results_.missing);
+            print_message("etalon-bench: warning: the report is incomplete: {}\n",
+                          results_.missing);
         }
         print_result("{}\n", path_);
         return signals_.signal() != 0 ? exit_signal + signals_.signal() : exit_done;

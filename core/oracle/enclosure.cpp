@@ -79,8 +79,8 @@ Box3 enclose(const Geometry&, const Revolved& s) {
     const double far = std::max(std::abs(p.low), std::abs(p.high));
     if (p.is_flat()) return image(s.to_world, far, 0);
     const auto& [q0, q1, q2] = p.squares;
-    return image(s.to_world,
-                 std::sqrt(std::abs(q0) + far * (std::abs(q1) + far * std::abs(q2))), far);
+    return image(s.to_world, std::sqrt(std::abs(q0) + far * (std::abs(q1) + far * std::abs(q2))),
+                 far);
 }
 
 }  // namespace

@@ -76,9 +76,13 @@ TEST_CASE("trace reports the position of an error in a file of rays", "[app]") {
 TEST_CASE("A file of rays may begin with a byte order mark", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
-    f.write("rays.txt", "\xEF\xBB\xBF" "0 0 5 0 0 -1\n");
+    f.write("rays.txt",
+            "\xEF\xBB\xBF"
+            "0 0 5 0 0 -1\n");
     CHECK(f.etalon("trace ball.p3f --rays rays.txt").out == "hit 4 sphere 1 0 0 1\n");
-    f.write("rays.txt", "\xEF\xBB\xBF" "0 0 5 x\n");
+    f.write("rays.txt",
+            "\xEF\xBB\xBF"
+            "0 0 5 x\n");
     CHECK_THAT(f.etalon("trace ball.p3f --rays rays.txt").err, ContainsSubstring(":1:7: error: "));
 }
 

@@ -77,7 +77,8 @@ TEST_CASE("Oracle: given simple scenes, then the answers are known") {
     REQUIRE(oracle.closest({{0, 0, -3}, {0, 0, nan_value}}).kind == OracleAnswer::miss);
 }
 
-TEST_CASE("Oracle: given a sector whose directions are short, then it and the kernel find it whole") {
+TEST_CASE(
+    "Oracle: given a sector whose directions are short, then it and the kernel find it whole") {
     Scene scene;
     Profile sphere;
     sphere.squares = {1, 0, -1};

@@ -118,7 +118,8 @@ Section hard_cases_section(const Results& results) {
         "Constructions on which ray tracers fail: silhouettes, edges, tips, grazing rays, objects "
         "far away, tiny objects, and surfaces that a ray has just left. Random rays rarely find "
         "such errors; all rays here are aimed. A case is passed if all its rays are answered "
-        "correctly. Rays that even the oracle cannot decide are not counted; no error in N rays bounds the error rate by 3 / N (95 % confidence)."};
+        "correctly. Rays that even the oracle cannot decide are not counted; no error in N rays "
+        "bounds the error rate by 3 / N (95 % confidence)."};
     const std::vector<Row>& rows = results.rows.list;
     if (rows.empty()) return section;
     const std::string command = accuracy_command(results.settings);
