@@ -19,8 +19,9 @@ SphericalImage SkyboxLight::overview(int width, int height) const {
         for (int x = 0; x < width; ++x) {
             Color sum(0.0F);
             for (int k = 0; k < parts * parts; ++k) {
-                const Vec2 place((x + (k % parts + 0.5) / parts) / width,
-                                 (y + (k / parts + 0.5) / parts) / height);
+                const int column = k % parts, row = k / parts;
+                const Vec2 place((x + (column + 0.5) / parts) / width,
+                                 (y + (row + 0.5) / parts) / height);
                 sum += radiance(SphericalImage::direction_at(place));
             }
             texels.push_back(sum / (parts * parts));
