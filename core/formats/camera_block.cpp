@@ -14,9 +14,6 @@ namespace {
 
 constexpr std::int64_t largest_side = 65536;
 
-/// Range of a camera's distance in which squares of a scene's lengths keep all their digits.
-constexpr double least_distance = 1e-150, largest_distance = 1e150;
-
 struct Line {
     std::string_view name, old_name;
     int numbers;
@@ -150,9 +147,9 @@ std::string check_camera(const CameraBlock& b) {
         return fmt::format("the angle is {}; expected more than 0 and less than 180", fov);
     }
     if (view == Vec3(0)) return "the camera's eye is the point it looks at";
-    if (!(distance >= least_distance && distance <= largest_distance)) {
+    if (!(distance >= least_camera_distance && distance <= largest_camera_distance)) {
         return fmt::format("the camera's eye is {} from the point it looks at; expected {} to {}",
-                           distance, least_distance, largest_distance);
+                           distance, least_camera_distance, largest_camera_distance);
     }
     if (to_unit_magnitude(b.camera.up).cross(view) == Vec3(0)) return "'up' is along the view";
     return {};

@@ -8,6 +8,10 @@
 
 namespace etalon {
 
+/// Range of the distance of a camera's eye from the point it looks at, in which squares of a
+/// scene's lengths keep all their digits.
+inline constexpr double least_camera_distance = 1e-150, largest_camera_distance = 1e150;
+
 /// A camera block that is being read.
 struct CameraBlock {
     std::size_t start = 0;  ///< start of the statement, for diagnostics

@@ -45,6 +45,12 @@ TEST_CASE("settings out of range are left out") {
     CHECK(r.settings.samples_per_pixel == 0);
 }
 
+TEST_CASE("a camera next to the origin looks at a point at a distance that has a square") {
+    const LoadResult r = load_sce_text("eyepos 1e-300 0 0\neyedir 0 0 -1e-300\n");
+    REQUIRE(r.scene);
+    CHECK(max_abs(r.scene->camera.at - r.scene->camera.eye) >= 1e-150);
+}
+
 TEST_CASE("a camera that cannot see is an error at the line that makes it so") {
     const auto error = [](const std::string& text) {
         const LoadResult r = load_sce_text(text);
@@ -56,6 +62,8 @@ TEST_CASE("a camera that cannot see is an error at the line that makes it so") {
     CHECK(error("eyedir 0 1 0\n") == "a.sce:1:1: error: 'eyeup' is along 'eyedir'" + end);
     CHECK(error("eyeup 0 0 -3\n") == "a.sce:1:1: error: 'eyeup' is along 'eyedir'" + end);
     CHECK(error("eyeup 0 0 0\n") == "a.sce:1:1: error: 'eyeup' is along 'eyedir'" + end);
+    CHECK(error("eyepos 0 0 1e200\n") ==
+          "a.sce:1:1: error: 'eyepos' is 1e+200 from the origin; expected at most 5e+149" + end);
     // The point looked at keeps no digit of the direction but that along eyeup.
     CHECK(error("eyedir 0 1e38 -1\neyepos 0 0 5\n") ==
           "a.sce:1:1: error: 'eyeup' is along 'eyedir'" + end);

@@ -1,6 +1,8 @@
 // The camera and the image: the last value counts; the matrix has no effect.
+#include <algorithm>
 #include <cmath>
 
+#include "core/formats/camera_block.h"
 #include "core/formats/sce/sce_loader.h"
 #include "core/numerics/rounding.h"
 
@@ -74,18 +76,21 @@ void read_background(Loader& loader, Reader& in) {
 }
 
 /// The point looked at is as far away as the eye is from the origin, up to a factor of two, so that
-/// it keeps the digits of the direction.
+/// it keeps the digits of the direction, but not nearer than any camera's.
 void finalize_camera(Loader& loader) {
     Camera& camera = loader.scene.camera;
     const Vec3 direction = to_unit_magnitude(loader.view.direction);
-    const double distance = 1 / power_of_two_reciprocal(max_abs(camera.eye));
+    const double distance =
+        std::max(1 / power_of_two_reciprocal(max_abs(camera.eye)), 2 * least_camera_distance);
     camera.at = camera.eye + distance * direction;
     const Vec3 view = to_unit_magnitude(camera.at - camera.eye);  // has lost digits to the eye's
     const char* const nothing = "so nothing can be rendered";
     if (direction == Vec3(0)) {
         loader.log.error(loader.view.offset, "camera", "'eyedir' is zero, {}", nothing);
-    } else if (!is_finite(camera.at)) {
-        loader.log.error(loader.view.offset, "camera", "the eye is not finite, {}", nothing);
+    } else if (!(max_abs(camera.at - camera.eye) <= largest_camera_distance)) {
+        loader.log.error(loader.view.offset, "camera",
+                         "'eyepos' is {} from the origin; expected at most {}, {}",
+                         max_abs(camera.eye), largest_camera_distance / 2, nothing);
     } else if (to_unit_magnitude(camera.up).cross(view) == Vec3(0)) {
         loader.log.error(loader.view.offset, "camera", "'eyeup' is along 'eyedir', {}", nothing);
     }
