@@ -8,18 +8,13 @@
 namespace etalon {
 namespace {
 
-Vec3 magnitudes(const Vec3& v) {
-    return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
-}
-
 Box3 around(const Vec3& centre, const Vec3& reach) {
     return {centre - reach, centre + reach};
 }
 
 /// Returns a box around the image of all points with |x|, |y| <= `across` and |z| <= `up`.
 Box3 image(const Affine& map, double across, double up) {
-    return around(map.origin,
-                  across * (magnitudes(map.x) + magnitudes(map.y)) + up * magnitudes(map.z));
+    return around(map.origin, across * (abs(map.x) + abs(map.y)) + up * abs(map.z));
 }
 
 template <class Corners>
