@@ -15,6 +15,16 @@ using namespace etalon::test;
 
 using nlohmann::json;
 
+namespace {
+
+/// Renders ball.p3f with four samples and these options. Returns the pixels.
+auto rendered(const Folder& f, const std::string& options) {
+    REQUIRE(f.etalon("render ball.p3f --spp 4 -q -o a.exr " + options).status == 0);
+    return pixels(f.path("a.exr"));
+}
+
+}  // namespace
+
 TEST_CASE("render writes SCENE's name with .exr beside the caller by default", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
@@ -125,10 +135,7 @@ TEST_CASE("--max-depth is the number of surfaces that a path meets", "[app]") {
 TEST_CASE("--sampler chooses the sampler; the default is Sobol's", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
-    const auto render = [&](const std::string& options) {
-        REQUIRE(f.etalon("render ball.p3f --spp 4 -q -o a.exr " + options).status == 0);
-        return pixels(f.path("a.exr"));
-    };
+    const auto render = [&](const std::string& options) { return rendered(f, options); };
     const auto plain = render("");
     CHECK(render("--sampler sobol") == plain);
     CHECK(render("--sampler random") != plain);
@@ -164,10 +171,7 @@ TEST_CASE("--filter sets the reconstruction filter; the default is a box of half
           "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
-    const auto render = [&](const std::string& options) {
-        REQUIRE(f.etalon("render ball.p3f --spp 4 -q -o a.exr " + options).status == 0);
-        return pixels(f.path("a.exr"));
-    };
+    const auto render = [&](const std::string& options) { return rendered(f, options); };
     const auto plain = render("");
     CHECK(render("--filter box") == plain);
     CHECK(render("--filter box:0.5") == plain);

@@ -15,7 +15,7 @@ constexpr double usual_error = 1;
 
 /// Largest error of t of a backward stable algorithm, relative to the change of t by one roundoff
 /// in each input.
-constexpr double usual_condition = 5;
+constexpr double usual_condition = 4;
 
 void add_partial(const std::vector<CaseRows>& measured, std::size_t cases,
                  std::vector<std::string>& remarks) {
