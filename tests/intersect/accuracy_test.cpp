@@ -50,6 +50,24 @@ TEST_CASE("Kernels: given aimed rays, then hit, miss and t are the oracle's") {
     require_right_answers(1000);
 }
 
+TEST_CASE("Cones: given rays next to the tip, then t is right for a ray a few roundings away") {
+    for (const ShapeCase& shape : shape_cases()) {
+        const auto& targets = shape.targets;
+        const auto tip = std::ranges::find(targets, "tip", &Target::name);
+        if (tip == targets.end()) continue;
+        const Oracle oracle(shape.scene.geometry);
+        Random random(1);
+        const int kinds = static_cast<int>(targets.size()),
+                  kind = static_cast<int>(tip - targets.begin());
+        for (int i = 0; i < 20000; ++i) {
+            const Ray ray = aimed_ray(shape, kind + i * kinds, random).ray;
+            const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(ray));
+            CAPTURE(shape.name, i, t);
+            REQUIRE(classify(shape, oracle, ray, t) != Classification::wrong);
+        }
+    }
+}
+
 TEST_CASE("Kernels: given very many aimed rays, then hit, miss and t are the oracle's", "[long]") {
     require_right_answers(100000);
 }

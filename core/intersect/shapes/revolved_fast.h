@@ -44,12 +44,20 @@ class RevolvedFastPath {
   private:
     static constexpr double u = unit_roundoff;
 
+    /// Returns the height of the point that the start is to be near: the middle of the surface, or
+    /// what a cone has nearest to its apex, the origin, about which no root's terms cancel.
+    double height_to_start_at() const {
+        const Profile& p = surface_.profile;
+        if (p.is_flat()) return 0;
+        const bool is_cone = p.squares[0] == 0 && p.squares[1] == 0;
+        return is_cone ? std::clamp(0.0, p.low, p.high) : 0.5 * (p.low + p.high);
+    }
+
     /// Moves the start near the surface, with errors of start and direction.
     void advance() {
         const Vec3 &w = line_.w, &d = line_.d;
         const Profile& profile = surface_.profile;
-        const double middle = profile.is_flat() ? 0 : 0.5 * (profile.low + profile.high);
-        const double towards = -(w.x * d.x + w.y * d.y + (w.z - middle) * d.z);
+        const double towards = -(w.x * d.x + w.y * d.y + (w.z - height_to_start_at()) * d.z);
         start_ = std::max(0.0, towards / d.dot(d));
         if (!(start_ < infinity)) start_ = 0;
         for (int k = 0; k < 3; ++k) {
