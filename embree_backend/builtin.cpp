@@ -10,23 +10,41 @@
 namespace etalon {
 namespace {
 
-/// Returns by how much a ray is shortened at each end. Rounded to floats, a surface is off by about
-/// u (1 + |o|) in normalized space (0.6 of that was seen), so a ray that leaves it at an angle
-/// meets it again before t = u (1 + |o|) / cosine, and one that ends before it may meet it, as
-/// shadow rays do at a light. The margin clears all rays except those within 1/128 of tangent, and
-/// loses contacts nearer than 1e-5 to 2e-4 of the half size. Slivers are off by more.
-float margin(const NormalizedRay& ray) {
-    constexpr float factor = 128 * unit_roundoff_f;
-    const Vec3f& o = ray.origin;
-    return factor * (1 + std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}));
+/// Returns the median of the longest edges of instances' boxes, in normalized space; the largest
+/// edge there is, 2, if there are no instances.
+float typical_instance(const Geometry& geometry, const std::vector<BoundedPrimitive>& list) {
+    std::vector<float> sizes;
+    for (const BoundedPrimitive& p : list) {
+        if (!geometry.is_instance(p.id)) continue;
+        const Vec3f edges = p.max - p.min;
+        sizes.push_back(std::max({edges.x, edges.y, edges.z}));
+    }
+    if (sizes.empty()) return 2;
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::ranges::nth_element(sizes, middle);
+    return *middle;
 }
 
-float first_t(const NormalizedRay& ray, double tmin) {
-    return ray.tmin(tmin) + margin(ray);
+/// Returns by how much a ray whose origin is o is shortened at each end, as a fraction of 1 + |o|.
+/// Rounded to floats, a surface is off by about u (1 + |o|) in normalized space (0.6 of that was
+/// seen), so a ray that leaves it at an angle meets it again before t = u (1 + |o|) / cosine, and
+/// one that ends before it may meet it, as shadow rays do at a light. 128 u clears all rays except
+/// those within 1/128 of tangent, and loses contacts nearer than 1e-5 to 2e-4 of the half size.
+/// Slivers are off by more. Among instances so small that most would be lost, it is less.
+float margin_among(float instances) {
+    constexpr float u = unit_roundoff_f;
+    return std::clamp(instances / 256, u, 128 * u);
 }
 
-float last_t(const NormalizedRay& ray, double tmax) {
-    return ray.tmax(tmax) - margin(ray);
+/// The ends of a ray in normalized space.
+struct Ends {
+    float first, last;
+};
+
+Ends shortened(const Ray& ray, const NormalizedRay& local, float margin) {
+    const Vec3f& o = local.origin;
+    const float by = margin * (1 + std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}));
+    return {local.tmin(ray.tmin) + by, local.tmax(ray.tmax) - by};
 }
 
 constexpr unsigned first_shape = UserPrimitives::geometries;
@@ -70,7 +88,9 @@ EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal,
     std::map<RTCGeometryType, std::vector<std::uint32_t>> by_type;
     std::vector<std::pair<std::uint32_t, Affine>> instances;
     std::vector<BoundedPrimitive> others;
-    for (const BoundedPrimitive& p : take_bounded()) {
+    const std::vector<BoundedPrimitive> bounded = take_bounded();
+    margin_ = margin_among(typical_instance(geometry, bounded));
+    for (const BoundedPrimitive& p : bounded) {
         if (geometry.is_instance(p.id)) {
             const auto map = embree_map(geometry.instances[p.id - geometry.primitives.size()]);
             if (map) {
@@ -146,8 +166,8 @@ std::size_t EmbreeBuiltin::own_bytes() const {
 void EmbreeBuiltin::closest_bounded(const RayQuery& query, const NormalizedRay& local,
                                     NearestHit& nearest) const {
     RTCRayHit ray;
-    set_ray(ray.ray, local, first_t(local, query.ray.tmin),
-            std::min(last_t(local, query.ray.tmax), local.tmax(nearest.t)));
+    const Ends ends = shortened(query.ray, local, margin_);
+    set_ray(ray.ray, local, ends.first, std::min(ends.last, local.tmax(nearest.t)));
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     if (others_.empty()) {
         embree_intersect(embree_scene_.get(), ray);
@@ -168,10 +188,8 @@ void EmbreeBuiltin::closest_bounded(const RayQuery& query, const NormalizedRay& 
 
 bool EmbreeBuiltin::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {
     RTCRay ray;
-    if (!set_occlusion_ray(ray, local, first_t(local, query.ray.tmin),
-                           last_t(local, query.ray.tmax))) {
-        return false;
-    }
+    const Ends ends = shortened(query.ray, local, margin_);
+    if (!set_occlusion_ray(ray, local, ends.first, ends.last)) return false;
     if (others_.empty()) {
         embree_occluded(embree_scene_.get(), ray);
     } else {

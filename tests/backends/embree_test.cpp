@@ -176,3 +176,31 @@ TEST_CASE("Given instances, Embree's own hit nearly what the kernels hit", "[bac
         CHECK(different <= count / 1000);
     }
 }
+
+TEST_CASE("Given instances tiny beside the scene, Embree's own hit nearly what the kernels hit",
+          "[backends][embree]") {
+    Scene scene;
+    scene.geometry.add(Sphere{{0, -2000, 0}, 1000}, 0);
+    scene.geometry.objects.push_back(make_scene("triangles", 100).geometry);
+    Random random(3);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 at = random.in_cube();
+        scene.geometry.instances.emplace_back(Affine{{0.02, 0, 0}, {0, 0.02, 0}, {0, 0, 0.02}, at},
+                                              0);
+    }
+    const auto exact = backend_named("bvh").build(scene.geometry);
+    const auto floats = backend_named("embree-builtin").build(scene.geometry);
+    int different = 0, hits = 0;
+    constexpr int count = 20000;
+    for (int i = 0; i < count; ++i) {
+        const Vec3 near = scene.geometry.instances[random.index(200)].origin;
+        const Vec3 from = near + 0.05 * random.direction();
+        const Ray ray{from, near + 0.01 * random.in_cube() - from};
+        const auto a = exact->closest(ray), b = floats->closest(ray);
+        const bool same = a && b && a->primitive == b->primitive && a->instance == b->instance;
+        hits += a ? 1 : 0;
+        different += same || (!a && !b) ? 0 : 1;
+    }
+    CHECK(hits > count / 3);
+    CHECK(different <= count / 20);
+}
