@@ -1,7 +1,6 @@
 #include "app/common/output.h"
 
 #include <fmt/core.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,7 +14,7 @@
 #include "app/common/program_facts.h"
 #include "app/common/started_rank.h"
 #include "core/base/link_target.h"
-#include "core/base/stream_to.h"
+#include "core/base/write_target.h"
 #include "core/image/atomic_file.h"
 
 namespace etalon {
@@ -79,10 +78,7 @@ std::string check_writable(const std::string& path) {
 }
 
 bool is_replaceable(const std::string& path) {
-    if (!is_named(path)) return false;
-    struct stat present = {};
-    if (::stat(path.c_str(), &present) != 0) return true;
-    return S_ISREG(present.st_mode) && stream_to(present) < 0;
+    return is_named(path) && !WriteTarget(path).is_in_place();
 }
 
 std::string find_clash(const std::vector<std::string>& outputs,

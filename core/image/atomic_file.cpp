@@ -10,8 +10,8 @@
 #include <system_error>
 
 #include "core/base/link_target.h"
-#include "core/base/stream_to.h"
 #include "core/base/uninterrupted.h"
+#include "core/base/write_target.h"
 
 namespace etalon {
 namespace {
@@ -41,14 +41,16 @@ int open_beside(const fs::path& path, std::string& name) {
     return file;
 }
 
-/// Writes and renames a file; `replaced` is what is at `path` now, or nullptr.
+/// Writes a new file and renames it to `path`, where there may be a file whose permissions it gets.
 Errno write_and_rename(const std::string& path, std::string_view content,
-                       const struct stat* replaced) {
+                       const WriteTarget& replaced) {
     std::string temporary;
     const int file = open_beside(path, temporary);
     if (file < 0) return errno;
     Errno error = write_all(file, content);
-    if (error == 0 && replaced && ::fchmod(file, replaced->st_mode & 0777) != 0) error = errno;
+    if (error == 0 && replaced.exists() && ::fchmod(file, replaced.permissions()) != 0) {
+        error = errno;
+    }
     // The name must not reach the disk before the content does.
     if (error == 0) error = synchronize(file);
     error = close_after(file, error);
@@ -57,22 +59,14 @@ Errno write_and_rename(const std::string& path, std::string_view content,
     return error;
 }
 
-/// Returns whether a file may be written that none may replace: because it is a mount point, or
-/// another user's in a folder such as /tmp.
-bool forbids_rename(Errno error) {
-    return error == EBUSY || error == EPERM || error == EXDEV;
-}
-
 Errno write_file(const std::string& path, std::string_view content) {
-    struct stat present = {};
-    if (::stat(path.c_str(), &present) != 0) {
-        return write_and_rename(link_target(path), content, nullptr);
-    }
-    if (const int stream = stream_to(present); stream >= 0) return write_all(stream, content);
-    if (::access(path.c_str(), W_OK) != 0) return errno;
-    if (!S_ISREG(present.st_mode)) return write_in_place(path, content);
-    const Errno error = write_and_rename(link_target(path), content, &present);
-    return forbids_rename(error) ? write_in_place(path, content, O_TRUNC) : error;
+    const WriteTarget target(path);
+    if (target.stream() >= 0) return write_all(target.stream(), content);
+    if (target.exists() && ::access(path.c_str(), W_OK) != 0) return errno;
+    if (target.is_in_place()) return write_in_place(path, content);
+    const Errno error = write_and_rename(link_target(path), content, target);
+    const bool is_overwritten = target.exists() && forbids_rename(error);
+    return is_overwritten ? write_in_place(path, content, O_TRUNC) : error;
 }
 
 }  // namespace

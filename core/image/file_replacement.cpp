@@ -13,6 +13,7 @@
 #include "core/base/hash64.h"
 #include "core/base/link_target.h"
 #include "core/base/uninterrupted.h"
+#include "core/base/write_target.h"
 
 namespace etalon {
 namespace {
@@ -48,11 +49,11 @@ FileReplacement::~FileReplacement() {
 /// Notes the permissions of the file that is replaced, if there is one. Returns why it cannot be
 /// replaced, or 0.
 int FileReplacement::check_target() {
-    struct stat present = {};
-    if (::stat(path_.c_str(), &present) != 0) return errno == ENOENT ? 0 : errno;
-    if (!S_ISREG(present.st_mode)) return EINVAL;
+    const WriteTarget target(path_);
+    if (!target.exists()) return target.error() == ENOENT ? 0 : target.error();
+    if (!target.is_regular()) return EINVAL;
     if (::access(path_.c_str(), W_OK) != 0) return errno;
-    mode_ = present.st_mode & 0777;
+    mode_ = target.permissions();
     return 0;
 }
 

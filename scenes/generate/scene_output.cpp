@@ -1,6 +1,5 @@
 #include "scenes/generate/scene_output.h"
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -8,7 +7,7 @@
 #include <system_error>
 
 #include "app/common/console.h"
-#include "core/base/stream_to.h"
+#include "core/base/write_target.h"
 
 namespace etalon::generate {
 namespace {
@@ -22,11 +21,9 @@ std::FILE* open_in_place(const std::string& path, int stream) {
 
 Output::Output(const std::string& path) : path_(path) {
     if (path.empty()) return;
-    struct stat present = {};
-    const bool exists = ::stat(path.c_str(), &present) == 0;
-    const int stream = exists ? stream_to(present) : -1;
-    if (stream >= 0 || (exists && !S_ISREG(present.st_mode))) {
-        device_ = open_in_place(path, stream);
+    const WriteTarget target(path);
+    if (target.is_in_place()) {
+        device_ = open_in_place(path, target.stream());
         require(device_ != nullptr);
     } else {
         file_.emplace(path);
