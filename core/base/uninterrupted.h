@@ -37,6 +37,12 @@ inline Errno close_file(int file) {
     return ::close(file) == 0 || errno == EINTR ? 0 : errno;
 }
 
+/// Closes a file after work that ended with `earlier`. Returns the first failure.
+inline Errno close_after(int file, Errno earlier) {
+    const Errno closing = close_file(file);
+    return earlier != 0 ? earlier : closing;
+}
+
 /// Writes all bytes, with as many calls as it takes.
 inline Errno write_all(int file, std::string_view content) {
     while (!content.empty()) {

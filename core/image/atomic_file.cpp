@@ -18,11 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Errno close_after(int file, Errno earlier) {
-    const Errno closing = close_file(file);
-    return earlier != 0 ? earlier : closing;
-}
-
 Errno write_in_place(const std::string& path, std::string_view content, int flags = 0) {
     const int file = open_file(path.c_str(), O_WRONLY | flags);
     return file < 0 ? errno : close_after(file, write_all(file, content));

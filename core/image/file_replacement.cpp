@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -25,6 +26,27 @@ namespace fs = std::filesystem;
 std::string name_beside(const fs::path& path) {
     const std::uint64_t name = hash64(path.filename().native());
     return path.parent_path() / fmt::format(".etalon-{:016x}.tmp", name);
+}
+
+Errno copy_all(int from, int to) {
+    std::array<char, 1 << 16> bytes;
+    for (;;) {
+        const ssize_t n = uninterrupted([&] { return ::read(from, bytes.data(), bytes.size()); });
+        if (n <= 0) return n == 0 ? 0 : errno;
+        const Errno error = write_all(to, {bytes.data(), static_cast<std::size_t>(n)});
+        if (error != 0) return error;
+    }
+}
+
+/// Overwrites a file with the bytes of another one.
+Errno overwrite(const std::string& path, const std::string& source) {
+    const int from = open_file(source.c_str(), O_RDONLY);
+    if (from < 0) return errno;
+    const int to = open_file(path.c_str(), O_WRONLY | O_TRUNC);
+    if (to < 0) return close_after(from, errno);
+    Errno error = copy_all(from, to);
+    if (error == 0) error = synchronize(to);
+    return close_after(from, close_after(to, error));
 }
 
 }  // namespace
@@ -103,13 +125,19 @@ void FileReplacement::write(std::string_view bytes) {
 
 std::string FileReplacement::put_in_place() {
     if (error_ == 0) error_ = synchronize(file_);
-    if (error_ == 0 && std::rename(temporary_.c_str(), path_.c_str()) != 0) error_ = errno;
-    if (error_ == 0) {
-        close_file(file_);
-        file_ = -1;
-        return {};
-    }
+    if (error_ == 0) error_ = replace();
+    if (error_ == 0) return {};
     return path_ + ": cannot be written: " + std::generic_category().message(error_);
+}
+
+/// Renames the complete file; where the system forbids that, copies it.
+int FileReplacement::replace() {
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+        return forbids_rename(errno) ? overwrite(path_, temporary_) : errno;
+    }
+    close_file(file_);
+    file_ = -1;
+    return 0;
 }
 
 }  // namespace etalon

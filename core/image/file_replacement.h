@@ -11,7 +11,9 @@ namespace etalon {
 /// Writes a file in pieces and replaces the old one when it is complete. Until then, and after any
 /// failure, the old file stays unchanged. Meant for files that are replaced again and again: the
 /// next process overwrites what a killed one leaves behind. A new file gets the permissions that
-/// the umask leaves, a replaced one keeps its own.
+/// the umask leaves, a replaced one keeps its own. A file that the system lets no other replace,
+/// such as a mount point, is overwritten once the new one is complete: if that fails, it is
+/// damaged.
 class FileReplacement {
   public:
     explicit FileReplacement(const std::string& path);
@@ -35,6 +37,7 @@ class FileReplacement {
     int claim(bool is_new) const;
     bool is_own() const;
     bool lock() const;
+    int replace();
 
     std::string path_, temporary_;
     std::optional<mode_t> mode_;  ///< permissions of the file that is replaced
