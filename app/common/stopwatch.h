@@ -1,7 +1,8 @@
 #pragma once
 
 #include <chrono>
-#include <ctime>
+
+#include "core/base/clocks.h"
 
 namespace etalon {
 
@@ -21,14 +22,8 @@ class Stopwatch {
     }
 
   private:
-    static double process_cpu() {
-        timespec t = {};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-        return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-    }
-
     std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
-    double cpu_ = process_cpu();
+    double cpu_ = process_cpu_seconds();
 };
 
 }  // namespace etalon

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <vector>
 
@@ -62,11 +61,6 @@ CheckpointWriter::CheckpointWriter(std::string path, double every,
       every_(every),
       clock_(clock),
       due_(clock() + every) {}
-
-double CheckpointWriter::wall_seconds() {
-    using Seconds = std::chrono::duration<double>;
-    return Seconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 bool CheckpointWriter::is_due() {
     const double now = clock_();

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/base/clocks.h"
 #include "core/base/hash64.h"
 #include "core/render/renderer.h"
 
@@ -29,7 +30,6 @@ class CheckpointWriter : public StateKeeper {
 
     int written() const { return written_; }     ///< number of files written
     double seconds() const { return seconds_; }  ///< time that writing took
-    static double wall_seconds();
 
   private:
     std::string write(const std::function<void(StateWriter&)>& save) const;

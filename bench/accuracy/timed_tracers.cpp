@@ -1,20 +1,14 @@
 #include "bench/accuracy/timed_tracers.h"
 
-#include <ctime>
 #include <optional>
 
+#include "core/base/clocks.h"
 #include "core/intersect/backend_roles.h"
 
 namespace etalon::accuracy {
 namespace {
 
 constexpr std::uint64_t occlusion_every = 4;  ///< one block in so many also tests occlusion
-
-double thread_cpu_seconds() {
-    timespec t = {};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 void count_contradictions(const TracerEntry& entry, const RayBlock& block,
                           const std::vector<Answer>& answers, ErrorStats& stats) {

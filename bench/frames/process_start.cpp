@@ -1,6 +1,6 @@
 #include "bench/frames/process_start.h"
 
-#include <ctime>
+#include "core/base/clocks.h"
 
 namespace etalon::frames {
 namespace {
@@ -10,9 +10,7 @@ double before_main = 0;
 }  // namespace
 
 void note_begin_of_main() {
-    timespec t = {};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    before_main = static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+    before_main = process_cpu_seconds();
 }
 
 double seconds_before_main() {

@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <exception>
 #include <system_error>
 #include <thread>
 #include <vector>
+
+#include "core/base/clocks.h"
 
 namespace etalon::speed {
 namespace {
@@ -31,17 +32,6 @@ void pin_to(int core) {
     CPU_SET(core, &set);
     const int error = pthread_setaffinity_np(pthread_self(), sizeof set, &set);
     if (error != 0) throw std::system_error(error, std::generic_category(), "pinning a thread");
-}
-
-double wall_seconds() {
-    using Seconds = std::chrono::duration<double>;
-    return Seconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double thread_cpu_seconds() {
-    timespec t = {};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 /// Spinning barrier for threads: waking a sleeping thread takes as long as a thousand rays.

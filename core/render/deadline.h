@@ -1,7 +1,8 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
+
+#include "core/base/clocks.h"
 
 namespace etalon {
 
@@ -25,11 +26,6 @@ class Deadline {
     bool is_over() const { return elapsed_fraction() >= 1; }
 
   private:
-    static double wall_seconds() {
-        using Seconds = std::chrono::duration<double>;
-        return Seconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-    }
-
     double seconds_ = 0;
     Clock clock_ = wall_seconds;
     double start_ = 0;

@@ -1,20 +1,10 @@
 #include "core/render/tile_renderer.h"
 
-#include <time.h>
-
 #include <algorithm>
 
+#include "core/base/clocks.h"
+
 namespace etalon {
-namespace {
-
-/// Returns the processor time of this thread in seconds.
-double thread_seconds() {
-    timespec time = {};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-}  // namespace
 
 TileRenderer::TileRenderer(const Camera& camera, const Integrator& integrator,
                            const RenderSettings& settings)
@@ -46,7 +36,7 @@ std::vector<std::size_t> TileRenderer::unfinished_tiles() const {
 }
 
 TileResult TileRenderer::render(std::size_t tile, const std::function<bool()>& interrupted) {
-    const double start = thread_seconds();
+    const double start = thread_cpu_seconds();
     TileResult result;
     const auto loan = batches_.lend(rays_, integrator_, film_);
     SampleBatch& batch = *loan;
@@ -59,7 +49,7 @@ TileResult TileRenderer::render(std::size_t tile, const std::function<bool()>& i
     batch.finish();
     result.samples = batch.done();
     result.dropped = batch.dropped();
-    result.seconds = thread_seconds() - start;
+    result.seconds = thread_cpu_seconds() - start;
     return result;
 }
 
