@@ -5,6 +5,7 @@
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/fail.h"
 #include "app/common/output.h"
 #include "app/scene_arguments.h"
 #include "app/subcommands.h"
@@ -98,10 +99,7 @@ int convert_text(const ConvertArguments& a, std::optional<std::string_view> text
 }
 
 int convert(const ConvertArguments& a) {
-    if (const auto [error, status] = check_output(a); !error.empty()) {
-        print_message("etalon: error: {}\n", error);
-        return status;
-    }
+    if (const auto [error, status] = check_output(a); !error.empty()) return fail(status, error);
     limit_memory(a.scene);
     try {
         const FileText file = read_file(a.scene.path);

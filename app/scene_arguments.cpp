@@ -6,6 +6,7 @@
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/fail.h"
 #include "app/common/memory_limit.h"
 #include "app/common/output.h"
 #include "app/common/scene_files.h"
@@ -77,8 +78,9 @@ void declare_scene(Options& options, SceneArguments& a) {
 
 bool refuse_frame(const SceneArguments& a, int frames) {
     if (a.options.frame <= frames) return false;
-    print_message("etalon: error: --frame {}: {} holds {}\n", a.options.frame, a.path,
-                  frames == 1 ? "one frame" : fmt::format("{0} frames; expected 1 to {0}", frames));
+    const std::string held =
+        frames == 1 ? "one frame" : fmt::format("{0} frames; expected 1 to {0}", frames);
+    fail(exit_usage, fmt::format("--frame {}: {} holds {}", a.options.frame, a.path, held));
     return true;
 }
 
@@ -86,7 +88,7 @@ bool refuse_outputs(const std::vector<std::string>& outputs,
                     const std::vector<std::string>& scene_files) {
     const std::string error = find_clash(outputs, scene_files);
     if (error.empty()) return false;
-    print_message("etalon: error: {}\n", error);
+    fail(exit_usage, error);
     return true;
 }
 
@@ -105,9 +107,9 @@ LoadedScene load(SceneArguments a, std::optional<std::string_view> text) {
     write_message(report(result.diagnostics));
     if (!result.scene) return {std::nullopt, {}, exit_unusable, std::move(result.diagnostics)};
     if (!a.legacy.empty() && a.legacy != result.scene->format) {
-        print_message("etalon: error: --legacy {} asked for a {} scene\n", a.legacy,
-                      result.scene->format);
-        return {std::nullopt, {}, exit_usage, {}};
+        const std::string error =
+            fmt::format("--legacy {} asked for a {} scene", a.legacy, result.scene->format);
+        return {std::nullopt, {}, fail(exit_usage, error), {}};
     }
     std::vector<std::string> files = scene_files(read, *result.scene);
     return {std::move(result.scene),

@@ -7,6 +7,7 @@
 #include "app/common/backends.h"
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/fail.h"
 #include "app/common/output.h"
 #include "app/common/signals.h"
 #include "bench/accuracy/measure_case.h"
@@ -177,16 +178,12 @@ std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardC
 
 int measure_accuracy(const AccuracyArguments& a) {
     const auto [cases, unknown] = chosen_cases(a);
-    if (!unknown.empty()) {
-        print_message("etalon-bench: error: {}\n", unknown);
-        return exit_usage;
-    }
+    if (!unknown.empty()) return fail(exit_usage, unknown);
     if (a.list) return list_cases(cases);
     const std::string plots = a.plots.empty() ? "" : a.plots + "/shape.svg";
     if (const auto [error, status] = check_outputs({a.json, a.markdown, plots}, {});
         !error.empty()) {
-        print_message("etalon-bench: error: {}\n", error);
-        return status;
+        return fail(status, error);
     }
     const SignalGuard signals;
     const std::vector<Row> rows = measure_all(a, cases, signals.raised());

@@ -11,7 +11,7 @@
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
-#include "app/common/program_facts.h"
+#include "app/common/fail.h"
 #include "app/common/started_rank.h"
 #include "core/base/link_target.h"
 #include "core/base/write_target.h"
@@ -124,7 +124,7 @@ std::string check_image_to_standard_output() {
 bool write_text(const std::string& path, const std::string& text) {
     if (path == "-") return write_result(text);
     const std::string error = write_file_atomically(path, text);
-    if (!error.empty()) print_message("{}: error: {}\n", program_name(), error);
+    if (!error.empty()) fail(exit_not_written, error);
     return error.empty();
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/fail.h"
 #include "app/common/memory_limit.h"
 #include "app/common/output.h"
 #include "app/compare/image_pair.h"
@@ -20,11 +21,6 @@ struct Arguments {
     std::string a, b, json, heatmap;
     std::vector<std::string> limits;
 };
-
-int fail(int status, const std::string& message) {
-    print_message("etalon: error: {}\n", message);
-    return status;
-}
 
 /// Warns of pixels that are not finite: displays cannot show them, and metrics do not count those
 /// that both images have.

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/common/backends.h"
-#include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/fail.h"
 #include "app/common/output.h"
 #include "app/common/progress.h"
 #include "app/common/signals.h"
@@ -50,8 +50,7 @@ bool write(const Arguments& a, const crosscheck::Results& results) {
 int run(const Arguments& a) {
     if (const auto [error, status] = check_outputs({a.json, a.rays_out}, {a.scene.path});
         !error.empty()) {
-        print_message("etalon: error: {}\n", error);
-        return status;
+        return fail(status, error);
     }
     LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;

@@ -6,6 +6,7 @@
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/fail.h"
 #include "app/common/memory_limit.h"
 #include "app/common/output.h"
 #include "app/merge/merged_films.h"
@@ -21,11 +22,6 @@ struct Arguments {
     std::vector<std::string> parts;
     std::string output;
 };
-
-int fail(int status, const std::string& message) {
-    print_message("etalon: error: {}\n", message);
-    return status;
-}
 
 /// Returns the smallest window that contains all films.
 Imath::Box2i window_of(const MergedFilms& merged) {

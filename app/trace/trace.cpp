@@ -3,6 +3,7 @@
 #include "app/common/backends.h"
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/fail.h"
 #include "app/common/hit_text.h"
 #include "app/common/output.h"
 #include "app/common/progress.h"
@@ -52,8 +53,7 @@ int check_files(const TraceArguments& a) {
         error = "the scene and the rays cannot both be standard input";
         status = exit_usage;
     }
-    if (!error.empty()) print_message("etalon: error: {}\n", error);
-    return status;
+    return error.empty() ? exit_done : fail(status, error);
 }
 
 int trace(const TraceArguments& a) {

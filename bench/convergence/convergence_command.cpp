@@ -8,6 +8,7 @@
 #include "app/common/backends.h"
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/fail.h"
 #include "app/common/integrators.h"
 #include "app/common/output.h"
 #include "app/common/progress.h"
@@ -34,11 +35,6 @@ struct ConvergenceArguments {
     std::vector<std::string> integrators{std::string(scene_integrator)};
     ConvergenceConfig config;
 };
-
-int fail(int status, const std::string& message) {
-    print_message("etalon-bench: error: {}\n", message);
-    return status;
-}
 
 Result<ReferenceImage> read_reference_image(const std::string& path,
                                             const RenderSettings& settings) {

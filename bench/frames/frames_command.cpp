@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/common/backends.h"
-#include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/fail.h"
 #include "app/common/output.h"
 #include "app/common/provenance.h"
 #include "app/common/signals.h"
@@ -30,11 +30,6 @@ struct FramesArguments {
 
     table::Detail detail() const { return wide ? table::Detail::wide : table::Detail::narrow; }
 };
-
-int fail(int status, const std::string& message) {
-    print_message("etalon-bench: error: {}\n", message);
-    return status;
-}
 
 /// Writes the file, if there is to be one; `stopped` is why the figures are incomplete, or null.
 bool write_file(const FramesArguments& a, const std::vector<frames::FrameFigures>& figures,

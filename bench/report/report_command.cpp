@@ -6,6 +6,7 @@
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/fail.h"
 #include "app/common/output.h"
 #include "app/common/progress.h"
 #include "app/common/signals.h"
@@ -159,25 +160,16 @@ int write_report(const ReportArguments& a) {
     Settings settings = a.quick ? quick_settings() : full_settings();
     settings.folder = a.folder;
     std::string error = add_frames(a.scenes, settings);
-    if (!error.empty()) {
-        print_message("etalon-bench: error: {}\n", error);
-        return exit_unusable;
-    }
+    if (!error.empty()) return fail(exit_unusable, error);
     if (!a.foreign.empty()) error = add_foreign(a.foreign, settings);
     if (!error.empty()) {
         print_message("{}\n", error);
         return exit_unusable;
     }
-    if (error = find_lost_input(settings); !error.empty()) {
-        print_message("etalon-bench: error: {}\n", error);
-        return exit_usage;
-    }
+    if (error = find_lost_input(settings); !error.empty()) return fail(exit_usage, error);
     std::error_code failure;
     std::filesystem::create_directories(a.folder, failure);
-    if (failure) {
-        print_message("etalon-bench: error: {}: {}\n", a.folder, failure.message());
-        return exit_not_written;
-    }
+    if (failure) return fail(exit_not_written, a.folder + ": " + failure.message());
     return Report(settings).run();
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/fail.h"
 #include "app/common/output.h"
 #include "app/common/progress_line.h"
 #include "app/common/signals.h"
@@ -124,9 +125,7 @@ int check_arguments(const SpeedArguments& a) {
     write_message(messages);
     if (!messages.empty()) return exit_unusable;
     const auto [error, status] = check_outputs({a.json}, a.scenes);
-    if (error.empty()) return exit_done;
-    print_message("etalon-bench: error: {}\n", error);
-    return status;
+    return error.empty() ? exit_done : fail(status, error);
 }
 
 /// Writes the file after every scene, so that a run that ends in any way keeps its results. Until
@@ -160,8 +159,7 @@ int measure_speed(const SpeedArguments& a) {
             return exit_unusable;
         }
         if (const std::string clash = find_clash({a.json}, named.files); !clash.empty()) {
-            print_message("etalon-bench: error: {}\n", clash);
-            return exit_usage;
+            return fail(exit_usage, clash);
         }
         const SceneFigures figures =
             measure(a, name, std::move(*named.scene), named.settings.resolution, signals.raised());
