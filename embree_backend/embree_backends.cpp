@@ -21,22 +21,30 @@ std::unique_ptr<Intersector> build_robust(const Geometry& geometry) {
 }
 
 constexpr Backend backends[] = {
-    {"embree", "Embree's hierarchy over the exact kernels", true, build<EmbreeUserGeometry>, false,
-     false, 6},
-    {"embree-user", "Embree's user geometry, one primitive per callback: the independent check",
-     true, build<PlainUserGeometry>, false, false, 4},
-    {"embree-builtin", "Embree's own float triangles, quads, spheres and instances", false,
-     build<EmbreeBuiltin>, false, false, 2, EmbreeBuiltin::has_own_kernels},
+    {.name = "embree",
+     .summary = "Embree's hierarchy over the exact kernels",
+     .exact = true,
+     .build = build<EmbreeUserGeometry>,
+     .colour = 6},
+    {.name = "embree-user",
+     .summary = "Embree's user geometry, one primitive per callback: the independent check",
+     .exact = true,
+     .build = build<PlainUserGeometry>,
+     .colour = 4},
+    {.name = "embree-builtin",
+     .summary = "Embree's own float triangles, quads, spheres and instances",
+     .exact = false,
+     .build = build<EmbreeBuiltin>,
+     .colour = 2,
+     .has_own_kernels = EmbreeBuiltin::has_own_kernels},
 };
 
-constexpr Backend robust = {"embree-builtin-robust",
-                            "the same with RTC_SCENE_FLAG_ROBUST",
-                            false,
-                            build_robust,
-                            false,
-                            false,
-                            5,
-                            EmbreeBuiltin::has_own_kernels};
+constexpr Backend robust = {.name = "embree-builtin-robust",
+                            .summary = "the same with RTC_SCENE_FLAG_ROBUST",
+                            .exact = false,
+                            .build = build_robust,
+                            .colour = 5,
+                            .has_own_kernels = EmbreeBuiltin::has_own_kernels};
 
 }  // namespace
 

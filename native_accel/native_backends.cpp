@@ -13,9 +13,26 @@ std::unique_ptr<Intersector> build(const Geometry& geometry) {
 }
 
 constexpr Backend backends[] = {
-    {"none", "tests every primitive for every ray: the reference", true, build<None>, true, true},
-    {"grid", "nested grids, traversed by a 3D-DDA", true, build<Grid>, true, true, 3},
-    {"bvh", "bounding volume hierarchy by binned SAH, eight-wide", true, build<Bvh>, true, true, 1},
+    {.name = "none",
+     .summary = "tests every primitive for every ray: the reference",
+     .exact = true,
+     .build = build<None>,
+     .counts_box_tests = true,
+     .counts_primitive_tests = true},
+    {.name = "grid",
+     .summary = "nested grids, traversed by a 3D-DDA",
+     .exact = true,
+     .build = build<Grid>,
+     .counts_box_tests = true,
+     .counts_primitive_tests = true,
+     .colour = 3},
+    {.name = "bvh",
+     .summary = "bounding volume hierarchy by binned SAH, eight-wide",
+     .exact = true,
+     .build = build<Bvh>,
+     .counts_box_tests = true,
+     .counts_primitive_tests = true,
+     .colour = 1},
 };
 
 }  // namespace

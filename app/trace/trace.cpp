@@ -73,7 +73,6 @@ int trace(const TraceArguments& a) {
     }
     if (!a.backend.empty()) loaded.settings.backend = a.backend;
     const auto intersector = chosen_backend(loaded.settings).build(scene.geometry);
-    if (!intersector) return exit_unusable;
     const SignalGuard signals;
     const std::string hits = hits_of(rays.value, scene, *intersector, a.rays, signals.raised());
     if (!write_text(a.output, hits)) return exit_not_written;
