@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include "core/image/io.h"
+#include "core/numerics/pixel_window.h"
 
 namespace etalon {
 namespace {
-
-Imath::V2i size_of(const Imath::Box2i& window) {
-    return window.size() + Imath::V2i(1);
-}
 
 /// Returns whether an image begins at this place of its frame, as far as the file says.
 bool is_at(const Image& image, const Imath::V2i& place) {
@@ -21,7 +18,7 @@ std::string extent_text(const Image& image) {
     std::string text = fmt::format("{} x {} pixels", image.width, image.height);
     if (image.origin) text += fmt::format(" at {},{}", image.origin->x, image.origin->y);
     if (!image.frame) return text;
-    const Imath::V2i frame = size_of(*image.frame);
+    const Imath::V2i frame = window_size(*image.frame);
     return text + fmt::format(" of a frame of {} x {}", frame.x, frame.y);
 }
 
@@ -32,11 +29,11 @@ Result<std::vector<Color>> read_reference(const std::string& path, const RenderS
     Result<Image> file = read_image(path);
     if (!file) return {{}, file.error};
     Image& image = file.value;
-    const Imath::V2i size(image.width, image.height), asked = size_of(window);
+    const Imath::V2i size(image.width, image.height), asked = window_size(window);
     const Imath::V2i& frame = settings.resolution;
     const bool fits =
         (size == frame && is_at(image, {0, 0})) || (size == asked && is_at(image, window.min));
-    const bool is_of_frame = !image.frame || size_of(*image.frame) == frame;
+    const bool is_of_frame = !image.frame || window_size(*image.frame) == frame;
     if (!fits || !is_of_frame) {
         return {{},
                 fmt::format("{}: {}; expected {} x {} at {},{}, or all, of a frame of {} x {}",

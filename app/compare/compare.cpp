@@ -13,6 +13,7 @@
 #include "core/image/metrics/magma.h"
 #include "core/image/metrics/measure_metrics.h"
 #include "core/image/png.h"
+#include "core/numerics/pixel_window.h"
 
 namespace etalon::compare {
 namespace {
@@ -37,7 +38,7 @@ std::string write_heatmap(const std::string& path, const PixelPlane& map) {
 }
 
 void note_window(const Imath::Box2i& window) {
-    const Imath::V2i size = window.size() + Imath::V2i(1);
+    const Imath::V2i size = window_size(window);
     print_message("etalon: note: compared are the {} x {} pixels at {},{}, which both show\n",
                   size.x, size.y, window.min.x, window.min.y);
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/image/io.h"
+#include "core/numerics/pixel_window.h"
 #include "core/parallel/parallel.h"
 
 namespace etalon::compare {
@@ -29,7 +30,7 @@ std::string extent(const std::string& path, const Image& image, bool with_frame)
     const std::string text = path + ": " + place_text(size_of(image), image.origin);
     if (!with_frame) return text;
     const Imath::Box2i& frame = *image.frame;
-    return text + " of a frame of " + place_text(frame.size() + Imath::V2i(1), frame.min);
+    return text + " of a frame of " + place_text(window_size(frame), frame.min);
 }
 
 bool same_extent(const Image& a, const Image& b) {
@@ -54,8 +55,7 @@ std::optional<Imath::Box2i> place_of(const Image& image, const Image& other) {
 std::optional<Imath::Box2i> overlap(const Image& a, const Image& b) {
     const auto p = place_of(a, b), q = place_of(b, a);
     if (!p || !q) return std::nullopt;
-    const Imath::Box2i both({std::max(p->min.x, q->min.x), std::max(p->min.y, q->min.y)},
-                            {std::min(p->max.x, q->max.x), std::min(p->max.y, q->max.y)});
+    const Imath::Box2i both = common_window(*p, *q);
     return both.isEmpty() ? std::nullopt : std::optional(both);
 }
 
@@ -67,7 +67,7 @@ void cut(ImagePair& images, const Image& a, const Image& b, const Imath::Box2i& 
     };
     cut_one(images.pixels[0], a, b);
     cut_one(images.pixels[1], b, a);
-    const Imath::V2i size = window.size() + Imath::V2i(1);
+    const Imath::V2i size = window_size(window);
     images.width = size.x, images.height = size.y;
     images.window = window;
 }

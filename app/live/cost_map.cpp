@@ -5,6 +5,7 @@
 
 #include "core/image/io.h"
 #include "core/image/metrics/magma.h"
+#include "core/numerics/pixel_window.h"
 
 namespace etalon {
 namespace {
@@ -24,7 +25,7 @@ Color color_of(double cost, double highest) {
 
 std::string cost_map(const Imath::Box2i& window, const std::vector<double>& costs) {
     const double highest = *std::max_element(costs.begin(), costs.end());
-    const Imath::V2i size = window.max - window.min + Imath::V2i(1);
+    const Imath::V2i size = window_size(window);
     RenderedImage image{size.x, size.y, {Imath::V2i(0), size - Imath::V2i(1)}, {}, true, {}};
     image.pixels.reserve(costs.size());
     for (const double cost : costs) image.pixels.push_back(color_of(cost, highest));

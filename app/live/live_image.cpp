@@ -3,21 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/numerics/pixel_window.h"
 #include "core/parallel/parallel.h"
 #include "core/render/tiles.h"
 
 namespace etalon {
 namespace {
-
-Imath::Box2i common_part(const Imath::Box2i& a, const Imath::Box2i& b) {
-    return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
-            {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
-}
-
-std::size_t area(const Imath::Box2i& box) {
-    if (box.isEmpty()) return 0;
-    return static_cast<std::size_t>(box.max.x - box.min.x + 1) * (box.max.y - box.min.y + 1);
-}
 
 /// Returns the number of tiles along so many pixels.
 int tiles_along(int pixels) {
@@ -29,12 +20,12 @@ int tiles_along(int pixels) {
 LiveImage::LiveImage(const RenderSettings& settings)
     : settings_(settings),
       window_(settings.window()),
-      width_(window_.max.x - window_.min.x + 1),
+      width_(window_size(window_).x),
       tiles_across_(tiles_along(width_)),
       tiles_(tiles_of(window_)),
       versions_(tiles_.size()),
-      mutexes_(tiles_along(window_.max.y - window_.min.y + 1)) {
-    const std::size_t size = area(window_);
+      mutexes_(tiles_along(window_size(window_).y)) {
+    const std::size_t size = pixel_count(window_);
     pixels_ = {std::vector<Color>(size, Color(0.0F)), std::vector<std::uint32_t>(size, 0),
                std::vector<float>(size, 0.0F)};
 }
@@ -58,10 +49,10 @@ std::uint64_t LiveImage::version() const {
 }
 
 void LiveImage::put_tile(const RenderedTile& rendered) {
-    const Imath::Box2i part = common_part(rendered.tile, window_);
+    const Imath::Box2i part = common_window(rendered.tile, window_);
     if (part.isEmpty()) return;
     const auto seconds =
-        static_cast<float>(rendered.seconds / static_cast<double>(area(rendered.tile)));
+        static_cast<float>(rendered.seconds / static_cast<double>(pixel_count(rendered.tile)));
     for (int y = part.min.y; y <= part.max.y; ++y) {
         const std::lock_guard lock(mutex_of(y));
         put_row(rendered.samples, y, part.min.x, part.max.x);

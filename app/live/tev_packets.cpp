@@ -1,5 +1,7 @@
 #include "app/live/tev_packets.h"
 
+#include "core/numerics/pixel_window.h"
+
 #include <bit>
 #include <cstdint>
 
@@ -64,8 +66,8 @@ std::string update_image(const std::string& name, const Imath::Box2i& part,
                          const std::vector<Color>& colors) {
     Packet packet(update_channels, false, name);
     packet.channels();
-    for (const int value :
-         {part.min.x, part.min.y, part.max.x - part.min.x + 1, part.max.y - part.min.y + 1}) {
+    const Imath::V2i size = window_size(part);
+    for (const int value : {part.min.x, part.min.y, size.x, size.y}) {
         packet.integer(value);
     }
     for (int channel = 0; channel < 3; ++channel) {

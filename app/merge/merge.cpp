@@ -14,6 +14,7 @@
 #include "app/subcommands.h"
 #include "core/image/file_replacement.h"
 #include "core/image/io.h"
+#include "core/numerics/pixel_window.h"
 
 namespace etalon {
 namespace {
@@ -53,10 +54,10 @@ void put(const MergedFilm& merged, RenderedImage& image) {
     const std::vector<Color> pixels =
         is_filtered ? merged.film->filtered().pixels() : merged.film->samples().pixels();
     const Imath::Box2i& window = merged.stored.window;
-    const int width = image.window.max.x - image.window.min.x + 1;
+    const int width = window_size(image.window).x;
     auto row = pixels.begin();
     for (int y = window.min.y; y <= window.max.y; ++y) {
-        const auto end = row + (window.max.x - window.min.x + 1);
+        const auto end = row + window_size(window).x;
         const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(y - image.window.min.y) * width +
                                       (window.min.x - image.window.min.x);
         std::copy(row, end, image.pixels.begin() + offset);
@@ -69,8 +70,7 @@ RenderedImage image_of(const MergedFilms& merged) {
     RenderedImage image{settings.resolution.x,   settings.resolution.y,
                         window_of(merged),       {},
                         settings.display_colors, {}};
-    const Imath::V2i size = image.window.size() + Imath::V2i(1);
-    image.pixels.assign(static_cast<std::size_t>(size.x) * size.y, Color(0.0F));
+    image.pixels.assign(pixel_count(image.window), Color(0.0F));
     image.keep_display_values = settings.keep_display_values;
     image.metadata = metadata_of(merged.metadata);
     image.metadata.erase("stopped");
@@ -115,10 +115,7 @@ std::string write(const std::string& path, MergedFilms& merged, const RenderedIm
 
 void warn_of_gaps(const MergedFilms& merged, const RenderedImage& image) {
     std::size_t pixels = 0;
-    for (const MergedFilm& m : merged.films) {
-        const Imath::V2i size = m.stored.window.size() + Imath::V2i(1);
-        pixels += static_cast<std::size_t>(size.x) * size.y;
-    }
+    for (const MergedFilm& m : merged.films) pixels += pixel_count(m.stored.window);
     if (pixels == image.pixels.size()) return;
     print_message("etalon: warning: {} pixels between the parts are in none: they are black\n",
                   image.pixels.size() - pixels);

@@ -6,6 +6,7 @@
 
 #include "app/common/memory_limit.h"
 #include "app/render/aovs.h"
+#include "core/numerics/pixel_window.h"
 #include "core/render/image_film.h"
 
 namespace etalon {
@@ -23,7 +24,7 @@ double bytes_per_pixel(const RenderArguments& a, const RenderSettings& settings)
 }  // namespace
 
 std::string check_memory(const RenderArguments& a, const RenderSettings& settings) {
-    const Imath::V2i size = settings.window().size() + Imath::V2i(1);
+    const Imath::V2i size = window_size(settings.window());
     const double needed = bytes_per_pixel(a, settings) * size.x * size.y,
                  available = memory_limit();
     if (needed <= available) return {};

@@ -2,6 +2,7 @@
 
 #include "app/common/reference_image.h"
 #include "core/image/metrics/measure_metrics.h"
+#include "core/numerics/pixel_window.h"
 #include "core/render/image_pixels.h"
 
 namespace etalon {
@@ -10,7 +11,7 @@ std::string Reference::open(const std::string& path, const RenderSettings& setti
     Result<std::vector<Color>> image = read_reference(path, settings);
     pixels_ = std::move(image.value);
     settings_ = settings;
-    width_ = settings.window().size().x + 1;
+    width_ = window_size(settings.window()).x;
     return image.error;
 }
 

@@ -24,6 +24,7 @@
 #include "core/image/lack_of_memory.h"
 #include "core/image/oiio.h"
 #include "core/image/png.h"
+#include "core/numerics/pixel_window.h"
 
 namespace etalon {
 namespace {
@@ -64,7 +65,7 @@ std::string text_of(const RenderedImage::Attribute& value) {
 
 PngFacts png_facts(const RenderedImage& image) {
     PngFacts facts;
-    const Imath::V2i size = image.window.size() + Imath::V2i(1);
+    const Imath::V2i size = window_size(image.window);
     if (size != Imath::V2i(image.width, image.height)) facts.origin = image.window.min;
     for (const auto& [keyword, name] : png_keywords) {
         const auto found = image.metadata.find(name);
@@ -155,7 +156,7 @@ Result<std::string> encode_image(const std::string& name, const RenderedImage& i
     if (!is_consistent(image)) return {{}, "its window and its pixels do not agree"};
     if (kind == ".exr") return encode_exr(image);
     if (kind == ".png") {
-        const Imath::V2i size = image.window.size() + Imath::V2i(1);
+        const Imath::V2i size = window_size(image.window);
         return encode_png(display_bytes(image, exposure), size.x, size.y, png_facts(image));
     }
     return {{}, "expected a name ending in .exr or .png"};

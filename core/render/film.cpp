@@ -4,14 +4,15 @@
 #include <numeric>
 
 #include "core/numerics/exact.h"
+#include "core/numerics/pixel_window.h"
 #include "core/parallel/parallel.h"
 
 namespace etalon {
 
 Film::Film(const Imath::Box2i& window, bool with_squares)
     : window_(window),
-      width_(window.max.x - window.min.x + 1),
-      sums_(static_cast<std::size_t>(width_) * (window.max.y - window.min.y + 1), Vec3(0)),
+      width_(window_size(window).x),
+      sums_(pixel_count(window), Vec3(0)),
       squares_(with_squares ? sums_.size() : 0, Vec3(0)),
       counts_(sums_.size(), 0) {}
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/numerics/luminance.h"
+#include "core/numerics/pixel_window.h"
 #include "core/render/tiles.h"
 
 namespace etalon {
@@ -95,9 +96,7 @@ double ImageFilm::bytes_per_pixel(const RenderSettings& settings) {
 
 std::uint64_t ImageFilm::least_bytes(const Imath::Box2i& window, const RenderSettings& settings) {
     const Imath::Box2i sampled = sampled_window(window, settings.filter);
-    const Imath::V2i size = sampled.max - sampled.min + Imath::V2i(1);
-    const std::uint64_t pixels = static_cast<std::uint64_t>(size.x) * size.y;
-    const std::uint64_t own = pixels * (sizeof(Vec3) + sizeof(std::uint32_t));
+    const std::uint64_t own = pixel_count(sampled) * (sizeof(Vec3) + sizeof(std::uint32_t));
     if (settings.filter.is_pixel_box()) return own;
     return own + SplatFilm::bytes_of(sampled, cell_side(settings), settings.filter);
 }

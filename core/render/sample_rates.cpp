@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/numerics/luminance.h"
+#include "core/numerics/pixel_window.h"
 #include "core/parallel/parallel.h"
 #include "core/render/camera_sampler.h"
 
@@ -25,7 +26,7 @@ std::vector<float> emission(const Camera& camera, const Integrator& integrator,
     settings.samples_per_pixel = 0;
     settings.pixel_rays = PixelRays::centre;
     const CameraSampler sampler(camera, settings);
-    const Imath::V2i size = window.max - window.min + Imath::V2i(1);
+    const Imath::V2i size = window_size(window);
     std::vector<float> result(static_cast<std::size_t>(size.x) * size.y);
     parallel_for(size.y, 1, [&](std::size_t begin, std::size_t end) {
         CameraBatch batch(sampler);

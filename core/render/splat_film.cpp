@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/numerics/exact.h"
+#include "core/numerics/pixel_window.h"
 #include "core/parallel/parallel.h"
 
 namespace etalon {
@@ -18,10 +19,6 @@ int divided_up(int a, int b) {
 int aligned(int place, int side) {
     const int beyond = place % side;
     return place - (beyond < 0 ? beyond + side : beyond);
-}
-
-Imath::V2i size_of(const Imath::Box2i& window) {
-    return window.max - window.min + Imath::V2i(1);
 }
 
 Imath::V2i pixels_before(const FilterAxis& across, const FilterAxis& down) {
@@ -198,9 +195,9 @@ void SplatFilm::add_row(int y, const Imath::Box2i& window, const std::vector<dou
 std::vector<Vec3> SplatFilm::means(const Imath::Box2i& window, const Film& samples,
                                    const SampleRates& rates) const {
     const std::vector<double> weights = cell_weights(samples, rates);
-    const auto width = static_cast<std::size_t>(size_of(window).x);
-    std::vector<Vec3> result(width * size_of(window).y, Vec3(0));
-    parallel_for(size_of(window).y, 4, [&](std::size_t begin, std::size_t end) {
+    const auto width = static_cast<std::size_t>(window_size(window).x);
+    std::vector<Vec3> result(pixel_count(window), Vec3(0));
+    parallel_for(window_size(window).y, 4, [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
             std::vector<Splat> splats(width);
             add_row(window.min.y + static_cast<int>(row), window, weights, splats);

@@ -57,6 +57,6 @@ TEST_CASE("Another user's file that may be written, but not replaced, is overwri
     SKIP_UNLESS(::geteuid() != 0, "root cannot become another user here");
     const std::string state = "new" + std::string(100000, 'y');
     CHECK(replace(path, state) == "");
-    CHECK(content_of(path) == state);
+    CHECK((content_of(path) == state));
     CHECK(folder.names() == std::vector<std::string>{"state"});
 }
