@@ -13,15 +13,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json pair(const Imath::V2i& v) {
+Json pair_json(const Imath::V2i& v) {
     return {v.x, v.y};
 }
 
-Json window(const Imath::Box2i& box) {
+Json window_json(const Imath::Box2i& box) {
     return {box.min.x, box.min.y, box.max.x + 1, box.max.y + 1};
 }
 
-Json filter(const PixelFilter& f) {
+Json filter_json(const PixelFilter& f) {
     Json shape{f.radius.x, f.radius.y};
     if (f.kind == FilterKind::gaussian) shape.push_back(f.alpha);
     if (f.kind == FilterKind::mitchell) shape.insert(shape.end(), {f.b, f.c});
@@ -37,12 +37,14 @@ Json number(double value) {
     return value < infinity ? Json(value) : Json("infinite");
 }
 
-Json whitted_rules(const WhittedRules& r) {
-    return {r.schlick, r.clamp_each_ray, r.normalize_camera_rays, r.mirror_all_glass, r.fixed_bias};
+Json rules_json(const WhittedRules& rules) {
+    const auto& [schlick, clamp_each_ray, normalize_camera_rays, mirror_all_glass, fixed_bias] =
+        rules;
+    return {schlick, clamp_each_ray, normalize_camera_rays, mirror_all_glass, fixed_bias};
 }
 
 /// Returns the backend's name in the identity; exact backends have one in common.
-std::string backend(const RenderSettings& settings, const Geometry& geometry) {
+std::string backend_name(const RenderSettings& settings, const Geometry& geometry) {
     const Backend& chosen = chosen_backend(settings);
     const bool is_own =
         !chosen.exact && (!chosen.has_own_kernels || chosen.has_own_kernels(geometry));
@@ -51,34 +53,40 @@ std::string backend(const RenderSettings& settings, const Geometry& geometry) {
 
 }  // namespace
 
+/// Names all settings, so that the compiler requires a new one here: without it, samples of
+/// different images could be merged.
 Json image_identity(const SceneArguments& arguments, std::uint64_t scene, const Scene& loaded,
-                    const RenderSettings& s) {
+                    const RenderSettings& settings) {
     const LoadOptions& options = arguments.options;
+    const auto& [resolution, crop, filter, max_sample_luminance, film_scale, variance,
+                 display_colors, keep_display_values, samples_per_pixel, pixel_rays, sampler, seed,
+                 part, parts, target_error, integrator, max_depth, max_distance, direct_lighting,
+                 sample_all_lights, roulette_threshold, whitted, backend] = settings;
     return {{"version", fmt::format("{} ({})", build_facts().version, build_facts().commit)},
             {"scene", fmt::format("{:016x}", scene)},
             {"format", loaded.format},
             {"legacy", arguments.legacy},
             {"frame", options.frame},
             {"one-sided", options.one_sided},
-            {"resolution", pair(s.resolution)},
-            {"crop", window(s.window())},
-            {"filter", filter(s.filter)},
-            {"largest luminance of a sample", number(s.max_sample_luminance)},
-            {"film scale", s.film_scale},
-            {"display values", Json{s.display_colors, s.keep_display_values}},
-            {"variance", s.variance},
-            {"spp", s.samples_per_pixel},
-            {"rays of a pixel", s.pixel_rays},
-            {"sampler", s.sampler == Sampler::random ? "random" : "sobol"},
-            {"seed", s.seed},
-            {"part", Json{s.part, s.parts}},
-            {"target-error", s.target_error},
-            {"integrator", s.integrator},
-            {"max-depth", s.max_depth},
-            {"max-distance", number(s.max_distance)},
-            {"lights", Json{s.direct_lighting, s.sample_all_lights, s.roulette_threshold}},
-            {"rules of whitted", whitted_rules(s.whitted)},
-            {"backend", backend(s, loaded.geometry)}};
+            {"resolution", pair_json(resolution)},
+            {"crop", window_json(settings.window())},
+            {"filter", filter_json(filter)},
+            {"largest luminance of a sample", number(max_sample_luminance)},
+            {"film scale", film_scale},
+            {"display values", Json{display_colors, keep_display_values}},
+            {"variance", variance},
+            {"spp", samples_per_pixel},
+            {"rays of a pixel", pixel_rays},
+            {"sampler", sampler == Sampler::random ? "random" : "sobol"},
+            {"seed", seed},
+            {"part", Json{part, parts}},
+            {"target-error", target_error},
+            {"integrator", integrator},
+            {"max-depth", max_depth},
+            {"max-distance", number(max_distance)},
+            {"lights", Json{direct_lighting, sample_all_lights, roulette_threshold}},
+            {"rules of whitted", rules_json(whitted)},
+            {"backend", backend_name(settings, loaded.geometry)}};
 }
 
 std::string identity_difference(const Json& identity, const Json& other, std::string_view where) {
