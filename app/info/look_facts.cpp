@@ -30,6 +30,7 @@ LookFacts facts_of(const PhysicalLook& look) {
     LookFacts facts{look.materials.size()};
     constexpr std::string_view kinds[] = {"point",   "spot",     "goniometric", "projection",
                                           "distant", "infinite", "area"};
+    static_assert(std::size(kinds) == std::variant_size_v<PhysicalLight>);
     for (const PhysicalLight& light : look.lights) facts.count_light(kinds[light.index()]);
     facts.need(facts.lights.contains("area"), "area light samples");
     facts.need(!look.textures.numbers.empty() || !look.textures.colors.empty(), "textures");

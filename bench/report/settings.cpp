@@ -11,6 +11,7 @@
 #include "bench/scenes/bench_scene.h"
 #include "bench/speed/pinned.h"
 #include "bench/speed/timed_tracer.h"
+#include "core/formats/load.h"
 
 namespace etalon::bench_report {
 namespace {
@@ -26,8 +27,6 @@ struct Cost {
     std::string_view scene;
     double microseconds;
 };
-
-constexpr std::string_view scene_extensions[] = {".nff", ".p3f", ".pbrt", ".prt", ".sce"};
 
 constexpr Cost costs[] = {{"showcase.p3f", 7.7},
                           {"features/glass.p3f", 2.7},
@@ -58,16 +57,21 @@ void add_usual_frames(FrameSize shipped, FrameSize family, Settings& s) {
     }
 }
 
+/// Returns whether a file's extension is that of a format that can be read.
+bool is_scene(const std::filesystem::path& file) {
+    const std::string extension = file.extension().string();
+    const auto names = format_names();
+    return !extension.empty() &&
+           std::ranges::find(names, std::string_view(extension).substr(1)) != names.end();
+}
+
 /// Returns the file, or the scene files in a folder, sorted by name.
 std::vector<std::string> files_at(const std::string& path) {
     std::error_code error;
     if (!std::filesystem::is_directory(path, error)) return {path};
     std::vector<std::string> files;
     for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
-        const std::string extension = entry.path().extension().string();
-        const bool is_scene =
-            std::ranges::find(scene_extensions, extension) != std::end(scene_extensions);
-        if (is_scene) files.push_back(entry.path().string());
+        if (is_scene(entry.path())) files.push_back(entry.path().string());
     }
     std::ranges::sort(files);
     return files;
