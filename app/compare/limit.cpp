@@ -44,9 +44,9 @@ Result<Limit> parse_limit(const std::string& text) {
 std::string violation(const Limit& limit, const Metrics& metrics) {
     const Metric& metric = *limit.metric;
     const double value = metric.of(metrics).get<double>();
-    if (metric.falls ? value >= limit.worst : value <= limit.worst) return {};
+    if (metric.larger_is_better ? value >= limit.worst : value <= limit.worst) return {};
     return fmt::format("{} is {:.6g}, {} {:.6g}", metric.name, value,
-                       metric.falls ? "below" : "above", limit.worst);
+                       metric.larger_is_better ? "below" : "above", limit.worst);
 }
 
 }  // namespace etalon::compare

@@ -14,7 +14,7 @@ namespace etalon::compare {
 struct Metric {
     std::string_view name;
     nlohmann::json (*of)(const Metrics& metrics);
-    bool falls;  ///< true if larger is better
+    bool larger_is_better;
     std::string_view meaning;
 };
 

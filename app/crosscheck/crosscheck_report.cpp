@@ -34,7 +34,7 @@ std::string row(const std::string& kind, const CrosscheckCounts& t) {
         t.differences, t.t_quantile(0.5), t.t_quantile(0.99), t.t_quantile(1));
 }
 
-std::string tallies_as_text(const Results& results) {
+std::string counts_as_text(const Results& results) {
     std::string text = fmt::format("{:>71} {:>30}\n", "wrong answers", "error of t in ulp");
     text += fmt::format("{:<8} {:>9} {:>11} {:>7} {:>9} {:>6} {:>9} {:>6} {:>10} {:>9} {:>9}\n",
                         "rays", "asked", "undecidable", "class", "primitive", "t", "occlusion",
@@ -68,7 +68,7 @@ std::string as_text(const Results& results) {
     const char* partial =
         results.stopped ? "\nStopped by a signal: these are not all rays and backends asked for.\n"
                         : "";
-    return tallies_as_text(results) + contingencies_as_text(results) + partial;
+    return counts_as_text(results) + contingencies_as_text(results) + partial;
 }
 
 std::string as_rays(const Results& results) {
