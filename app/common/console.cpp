@@ -11,7 +11,6 @@
 #include <csignal>
 #include <exception>
 #include <mutex>
-#include <system_error>
 
 #include "app/common/exit_status.h"
 #include "core/base/uninterrupted.h"
@@ -151,7 +150,7 @@ bool write_result(fmt::string_view format, fmt::format_args values) noexcept {
 int status_after_results(const char* program, int status) noexcept {
     if (result_failure == 0) return status;
     print_message("{}: error: standard output: cannot be written: {}\n", program,
-                  std::generic_category().message(result_failure));
+                  error_text(result_failure));
     return status == exit_done || status == exit_differs ? exit_not_written : status;
 }
 

@@ -14,6 +14,7 @@
 #include "app/common/fail.h"
 #include "app/common/started_rank.h"
 #include "core/base/link_target.h"
+#include "core/base/uninterrupted.h"
 #include "core/base/write_target.h"
 #include "core/image/atomic_file.h"
 
@@ -54,12 +55,12 @@ std::string check_folder(const std::string& folder, const std::string& name) {
     }
     const long longest = ::pathconf(place.c_str(), _PC_NAME_MAX);
     if (longest > 0 && name.size() > static_cast<std::size_t>(longest)) {
-        return std::generic_category().message(ENAMETOOLONG);
+        return error_text(ENAMETOOLONG);
     }
     if (::access(place.c_str(), W_OK) == 0) return {};
     const std::string shown = folder.empty() ? "this folder" : folder;
     if (errno == EACCES) return "no permission in " + shown;
-    return shown + ": " + std::generic_category().message(errno);
+    return shown + ": " + error_text(errno);
 }
 
 }  // namespace
@@ -69,7 +70,7 @@ std::string check_writable(const std::string& path) {
     const std::string unwritable = path + ": cannot be written: ";
     if (fs::is_directory(path, none)) return unwritable + "is a directory";
     if (fs::exists(path, none) && ::access(path.c_str(), W_OK) != 0) {
-        return unwritable + std::generic_category().message(errno);
+        return unwritable + error_text(errno);
     }
     if (is_device(path)) return {};
     const fs::path target = link_target(path);

@@ -20,10 +20,6 @@ constexpr auto time_to_end = 1s;
 /// Time without new connections after the system had no descriptor for one.
 constexpr auto pause_without_descriptors = 20ms;
 
-std::string text_of(Errno error) {
-    return std::generic_category().message(error);
-}
-
 /// Returns the milliseconds that poll() may wait; -1 for an unlimited time.
 int milliseconds_until(HttpConnection::Clock::time_point end) {
     if (end == HttpConnection::Clock::time_point::max()) return -1;
@@ -42,7 +38,7 @@ HttpServer::~HttpServer() {
 
 std::string HttpServer::start() {
     ending_ = Socket(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
-    if (!ending_) return text_of(errno);
+    if (!ending_) return error_text(errno);
     if (std::string error = listen(); !error.empty()) {
         return "no port of 127.0.0.1 can be listened at: " + error;
     }
@@ -66,7 +62,7 @@ std::string HttpServer::listen() {
     if (!listener_ || ::bind(listener_.number(), general, size) != 0 ||
         ::listen(listener_.number(), SOMAXCONN) != 0 ||
         ::getsockname(listener_.number(), general, &size) != 0) {
-        return text_of(errno);
+        return error_text(errno);
     }
     port_ = ntohs(address.sin_port);
     return {};

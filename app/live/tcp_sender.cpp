@@ -5,22 +5,18 @@
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
 #include <memory>
-#include <system_error>
+
+#include "core/base/uninterrupted.h"
 
 namespace etalon {
 namespace {
 
 /// Milliseconds between two checks whether to go on.
 constexpr int interval = 20;
-
-std::string text_of(int error) {
-    return std::generic_category().message(error);
-}
 
 /// Returns how many of the bytes sent the other end has not accepted yet; 0 if that is unknown.
 int unaccepted(int socket) {
@@ -49,15 +45,6 @@ std::string check_address(const std::string& text) {
     return is_port && !address.host.empty() ? "" : text + ": expected HOST:PORT";
 }
 
-TcpSender::~TcpSender() {
-    close();
-}
-
-void TcpSender::close() {
-    if (socket_ >= 0) ::close(socket_);
-    socket_ = -1;
-}
-
 std::string TcpSender::connect(const NetworkAddress& address) {
     addrinfo hints = {};
     hints.ai_socktype = SOCK_STREAM;
@@ -69,51 +56,51 @@ std::string TcpSender::connect(const NetworkAddress& address) {
     for (const addrinfo* a = found; a; a = a->ai_next) {
         reason = connect_to(*a);
         if (reason.empty()) return {};
-        close();
+        socket_ = Socket();
     }
     return reason;
 }
 
 std::string TcpSender::connect_to(const addrinfo& address) {
-    socket_ = ::socket(address.ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-    if (socket_ < 0) return text_of(errno);
-    if (::connect(socket_, address.ai_addr, address.ai_addrlen) == 0) return {};
-    if (errno != EINPROGRESS) return text_of(errno);
+    socket_ = Socket(::socket(address.ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+    if (!socket_) return error_text(errno);
+    if (::connect(socket_.number(), address.ai_addr, address.ai_addrlen) == 0) return {};
+    if (errno != EINPROGRESS) return error_text(errno);
     const std::string reason = wait_until_writable();
     if (!reason.empty()) return reason;
     int error = 0;
     socklen_t size = sizeof error;
-    getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &size);
-    return error == 0 ? std::string() : text_of(error);
+    getsockopt(socket_.number(), SOL_SOCKET, SO_ERROR, &error, &size);
+    return error == 0 ? std::string() : error_text(error);
 }
 
 /// The system calls a socket writable only when a third of its buffer is free, which takes a slow
 /// viewer some seconds. So it counts as waiting only while the other end accepts nothing.
 std::string TcpSender::wait_until_writable() const {
     using Clock = std::chrono::steady_clock;
-    int waiting = unaccepted(socket_);
+    int waiting = unaccepted(socket_.number());
     for (auto start = Clock::now(); goes_on_(Clock::now() - start);) {
-        pollfd state = {socket_, POLLOUT, 0};
+        pollfd state = {socket_.number(), POLLOUT, 0};
         const int ready = ::poll(&state, 1, interval);
         if (ready > 0) return {};
-        if (ready < 0 && errno != EINTR) return text_of(errno);
-        const int still_waiting = unaccepted(socket_);
+        if (ready < 0 && errno != EINTR) return error_text(errno);
+        const int still_waiting = unaccepted(socket_.number());
         if (still_waiting < waiting) start = Clock::now();
         waiting = still_waiting;
     }
-    return text_of(ETIMEDOUT);
+    return error_text(ETIMEDOUT);
 }
 
 std::string TcpSender::send(std::string_view bytes) {
     while (!bytes.empty()) {
-        const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        const ssize_t sent = ::send(socket_.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
         if (sent > 0) {
             bytes.remove_prefix(static_cast<std::size_t>(sent));
         } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
             const std::string reason = wait_until_writable();
             if (!reason.empty()) return reason;
         } else if (errno != EINTR) {
-            return text_of(errno);
+            return error_text(errno);
         }
     }
     return {};

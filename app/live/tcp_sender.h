@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "app/live/socket.h"
+
 struct addrinfo;
 
 namespace etalon {
@@ -27,9 +29,6 @@ class TcpSender {
     using GoesOn = std::function<bool(Seconds waited)>;
 
     explicit TcpSender(GoesOn goes_on) : goes_on_(std::move(goes_on)) {}
-    ~TcpSender();
-    TcpSender(const TcpSender&) = delete;
-    TcpSender& operator=(const TcpSender&) = delete;
 
     /// Each returns why it failed, in the system's words, or an empty string.
     std::string connect(const NetworkAddress& address);
@@ -38,10 +37,9 @@ class TcpSender {
   private:
     std::string connect_to(const addrinfo& address);
     std::string wait_until_writable() const;
-    void close();
 
     GoesOn goes_on_;
-    int socket_ = -1;
+    Socket socket_;
 };
 
 }  // namespace etalon

@@ -6,12 +6,19 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <string>
 #include <string_view>
+#include <system_error>
 
 namespace etalon {
 
 /// 0, or the errno of the failed call.
 using Errno = int;
+
+/// Returns the system's words for an error.
+inline std::string error_text(Errno error) {
+    return std::generic_category().message(error);
+}
 
 /// Repeats a call, which returns -1 and sets errno on failure, while signals interrupt it.
 template <class Call>

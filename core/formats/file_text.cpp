@@ -10,12 +10,13 @@
 #include <system_error>
 
 #include "core/base/read_log.h"
+#include "core/base/uninterrupted.h"
 
 namespace etalon {
 namespace {
 
 std::string reason() {
-    return std::generic_category().message(errno);
+    return error_text(errno);
 }
 
 FileText failure(std::string error) {

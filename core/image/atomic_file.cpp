@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
-#include <system_error>
 
 #include "core/base/link_target.h"
 #include "core/base/uninterrupted.h"
@@ -70,7 +69,7 @@ std::string write_file_atomically(const std::string& path, std::string_view cont
     try {
         const Errno error = write_file(path, content);
         if (error == 0) return {};
-        return path + ": cannot be written: " + std::generic_category().message(error);
+        return path + ": cannot be written: " + error_text(error);
     } catch (const std::exception& e) {
         return path + ": cannot be written: " + e.what();
     }

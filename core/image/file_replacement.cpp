@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
-#include <system_error>
 
 #include "core/base/hash64.h"
 #include "core/base/link_target.h"
@@ -127,7 +126,7 @@ std::string FileReplacement::put_in_place() {
     if (error_ == 0) error_ = synchronize(file_);
     if (error_ == 0) error_ = replace();
     if (error_ == 0) return {};
-    return path_ + ": cannot be written: " + std::generic_category().message(error_);
+    return path_ + ": cannot be written: " + error_text(error_);
 }
 
 /// Renames the complete file; where the system forbids that, copies it.

@@ -17,6 +17,7 @@
 
 #include "core/base/printable.h"
 #include "core/base/read_log.h"
+#include "core/base/uninterrupted.h"
 #include "core/image/atomic_file.h"
 #include "core/image/encode.h"
 #include "core/image/exr.h"
@@ -78,9 +79,9 @@ PngFacts png_facts(const RenderedImage& image) {
 /// Returns why no file can be read there, as far as the file system knows; libraries' messages are
 /// worse.
 std::string check_readable(const std::string& path) {
-    if (::access(path.c_str(), R_OK) != 0) return std::generic_category().message(errno);
+    if (::access(path.c_str(), R_OK) != 0) return error_text(errno);
     std::error_code none;
-    if (fs::is_directory(path, none)) return std::generic_category().message(EISDIR);
+    if (fs::is_directory(path, none)) return error_text(EISDIR);
     if (!fs::is_regular_file(path, none)) return "a pipe or device; expected a file";
     return {};
 }

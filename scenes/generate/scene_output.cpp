@@ -4,9 +4,9 @@
 
 #include <cerrno>
 #include <stdexcept>
-#include <system_error>
 
 #include "app/common/console.h"
+#include "core/base/uninterrupted.h"
 #include "core/base/write_target.h"
 
 namespace etalon::generate {
@@ -53,7 +53,7 @@ void Output::commit() {
 }
 
 void Output::require(bool success) const {
-    if (!success) throw std::runtime_error(path_ + ": " + std::generic_category().message(errno));
+    if (!success) throw std::runtime_error(path_ + ": " + error_text(errno));
 }
 
 }  // namespace etalon::generate
