@@ -11,6 +11,7 @@
 #include "app/common/output.h"
 #include "app/merge/merged_films.h"
 #include "app/part/image_identity.h"
+#include "app/part/image_metadata.h"
 #include "app/subcommands.h"
 #include "core/image/file_replacement.h"
 #include "core/image/io.h"

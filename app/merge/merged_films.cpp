@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/part/image_identity.h"
+#include "app/part/image_metadata.h"
 #include "core/render/sample_rates.h"
 
 namespace etalon {

@@ -7,6 +7,7 @@
 
 #include "app/common/shallow_json.h"
 #include "app/part/image_identity.h"
+#include "app/part/image_metadata.h"
 #include "core/base/hash64.h"
 #include "core/image/exr.h"
 #include "core/render/image_film.h"
@@ -138,23 +139,6 @@ std::string appendix_line(const FilmAppendix& appendix) {
     return to_json(appendix).dump(-1, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
-void join_shares(std::vector<SampleShare>& shares) {
-    std::ranges::sort(shares);
-    std::vector<SampleShare> joined;
-    for (const SampleShare& s : shares) {
-        const auto continues = [&](const SampleShare& last) {
-            return last.seed == s.seed && last.end == s.first &&
-                   last.may_have_rates == s.may_have_rates;
-        };
-        if (!joined.empty() && continues(joined.back())) {
-            joined.back().end = s.end;
-        } else {
-            joined.push_back(s);
-        }
-    }
-    shares = std::move(joined);
-}
-
 StoredFilm one_film(const Json& identity, std::size_t bytes) {
     const Json& crop = identity["crop"];
     const std::uint64_t spp = identity["spp"], part = identity["part"][0],
@@ -163,36 +147,6 @@ StoredFilm one_film(const Json& identity, std::size_t bytes) {
                             static_cast<std::uint32_t>(spp * part / parts),
                             spp >= fewest_samples_with_rates};
     return {{{crop[0], crop[1]}, {crop[2].get<int>() - 1, crop[3].get<int>() - 1}}, {share}, bytes};
-}
-
-Json metadata_json(const RenderedImage& image) {
-    Json json = Json::object();
-    for (const auto& [name, value] : image.metadata) {
-        if (const auto* matrix = std::get_if<Imath::M44f>(&value)) {
-            json[name] = std::vector<float>((*matrix)[0], (*matrix)[0] + 16);
-        } else if (const auto* text = std::get_if<std::string>(&value)) {
-            json[name] = *text;
-        } else if (const auto* number = std::get_if<float>(&value)) {
-            json[name] = *number;
-        }
-    }
-    return json;
-}
-
-std::map<std::string, RenderedImage::Attribute> metadata_of(const Json& json) {
-    std::map<std::string, RenderedImage::Attribute> metadata;
-    for (const auto& [name, value] : json.items()) {
-        if (value.is_array() && value.size() == 16) {
-            Imath::M44f matrix;
-            for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = value[i];
-            metadata[name] = matrix;
-        } else if (value.is_string()) {
-            metadata[name] = value.get<std::string>();
-        } else if (value.is_number()) {
-            metadata[name] = value.get<float>();
-        }
-    }
-    return metadata;
 }
 
 void write_appendix(const std::string& line, const StateWriter::Sink& put,

@@ -9,20 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "app/part/sample_share.h"
 #include "core/base/result.h"
-#include "core/image/rendered_image.h"
+#include "core/numerics/vec.h"
 #include "core/render/state.h"
 
 namespace etalon {
-
-/// Range of samples of each pixel. For a pixel with a rate, numbers are multiplied by the rate.
-struct SampleShare {
-    std::uint64_t seed;
-    std::uint32_t first, end;
-    bool may_have_rates = false;  ///< the image has so many samples that pixels may have rates
-
-    auto operator<=>(const SampleShare&) const = default;
-};
 
 /// Description of a stored film.
 struct StoredFilm {
@@ -37,15 +29,8 @@ struct FilmAppendix {
     std::vector<StoredFilm> films;
 };
 
-/// Sorts shares, and joins those that continue each other.
-void join_shares(std::vector<SampleShare>& shares);
-
 /// Returns the description of the only film of an image with this identity.
 StoredFilm one_film(const nlohmann::ordered_json& identity, std::size_t bytes);
-
-/// Convert the image's metadata to JSON and back.
-nlohmann::ordered_json metadata_json(const RenderedImage& image);
-std::map<std::string, RenderedImage::Attribute> metadata_of(const nlohmann::ordered_json& json);
 
 /// Returns the first line of the appendix. (The JSON library allocates memory when values are
 /// destroyed, and ends the program if there is none.)

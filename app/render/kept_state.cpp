@@ -7,6 +7,7 @@
 #include "app/common/output.h"
 #include "app/part/film_appendix.h"
 #include "app/part/image_identity.h"
+#include "app/part/image_metadata.h"
 
 namespace etalon {
 namespace {
