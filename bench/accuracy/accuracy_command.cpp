@@ -18,7 +18,7 @@
 #include "bench/accuracy/report/plot.h"
 #include "bench/accuracy/report/remarks.h"
 #include "bench/bench_subcommands.h"
-#include "core/base/result.h"
+#include "bench/hard_cases/case_names.h"
 #include "core/render/deadline.h"
 
 namespace etalon {
@@ -38,49 +38,6 @@ struct AccuracyArguments {
 
     table::Detail detail() const { return wide ? table::Detail::wide : table::Detail::narrow; }
 };
-
-/// Returns whether a name is that of a case: "SPH" is that of all ids that begin with it, "SPH-1"
-/// of that id, and "SPH-1/1e3" of those of its variants that begin with "1e3".
-bool is_named(const HardCase& c, const std::string& name) {
-    const bool is_variant = name.find('/') != std::string::npos;
-    return name == c.id || c.id.starts_with(name + '-') ||
-           (is_variant && (c.id + '/' + c.variant).starts_with(name));
-}
-
-bool is_any(const std::vector<HardCase>& cases, const std::string& name) {
-    return std::ranges::any_of(cases, [&](const HardCase& c) { return is_named(c, name); });
-}
-
-/// Joins the words of a list that was split at all commas where they are one name, as those of
-/// "SPH-1/1e3 radii, float".
-std::vector<std::string> joined_names(const std::vector<std::string>& words,
-                                      const std::vector<HardCase>& cases) {
-    std::vector<std::string> names;
-    for (const std::string& word : words) {
-        const std::string longer = names.empty() ? "" : names.back() + ',' + word;
-        if (is_any(cases, longer)) {
-            names.back() = longer;
-        } else {
-            names.push_back(word);
-        }
-    }
-    return names;
-}
-
-/// Returns the cases with the names of the command line; the error says which names no case has.
-Result<std::vector<HardCase>> chosen_cases(const AccuracyArguments& a) {
-    std::vector<HardCase> cases = hard::hard_cases();
-    if (a.cases.empty()) return {std::move(cases), {}};
-    const std::vector<std::string> names = joined_names(a.cases, cases);
-    for (const std::string& name : names) {
-        if (is_any(cases, name)) continue;
-        return {{}, fmt::format("--case {}: no case of that name; --list shows them all", name)};
-    }
-    std::erase_if(cases, [&](const HardCase& c) {
-        return std::ranges::none_of(names, [&](const auto& name) { return is_named(c, name); });
-    });
-    return {std::move(cases), {}};
-}
 
 int list_cases(const std::vector<HardCase>& cases) {
     std::string text;
@@ -177,8 +134,8 @@ std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardC
 }
 
 int measure_accuracy(const AccuracyArguments& a) {
-    const auto [cases, unknown] = chosen_cases(a);
-    if (!unknown.empty()) return fail(exit_usage, unknown);
+    const auto [cases, unknown] = hard::cases_named(a.cases);
+    if (!unknown.empty()) return fail(exit_usage, "--case " + unknown);
     if (a.list) return list_cases(cases);
     const std::string plots = a.plots.empty() ? "" : a.plots + "/shape.svg";
     if (const auto [error, status] = check_outputs({a.json, a.markdown, plots}, {});
