@@ -7,6 +7,13 @@
 
 namespace etalon::test {
 
+/// Returns how often `part` occurs in the text.
+inline std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t n = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++n;
+    return n;
+}
+
 /// Returns whether every tag that is opened is closed, in order, every "&" begins an entity, and
 /// every "<" a tag. For XML, and for HTML as the project writes it, where elements without an end
 /// tag have none.

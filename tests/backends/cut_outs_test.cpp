@@ -137,11 +137,6 @@ Ray any_ray(Random& random) {
     return ray;
 }
 
-bool same(const Hit& a, const Hit& b) {
-    if (a.primitive == no_index || b.primitive == no_index) return a.primitive == b.primitive;
-    return a.t == b.t && a.primitive == b.primitive && a.instance == b.instance;
-}
-
 /// A geometry, and rays whose hits are known.
 struct Aimed {
     Geometry geometry;

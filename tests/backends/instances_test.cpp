@@ -28,11 +28,6 @@ Hit all_tested(const Geometry& geometry, const Ray& ray) {
     return best;
 }
 
-bool same(const Hit& a, const Hit& b) {
-    if (a.primitive == no_index || b.primitive == no_index) return a.primitive == b.primitive;
-    return a.t == b.t && a.primitive == b.primitive && a.instance == b.instance;
-}
-
 std::vector<Ray> rays_of(const hard::CaseSetup& setup, std::uint64_t count) {
     std::vector<Ray> rays;
     for (std::uint64_t i = 0; i < count; ++i) {

@@ -1,21 +1,14 @@
 // memory_bytes() of scenes against what the allocator hands out for them.
-#include <malloc.h>
-
 #include "core/scene/scene.h"
 #include "tests/backends/scenes.h"
 #include "tests/catch.h"
+#include "tests/heap_bytes.h"
 #include "tests/sanitized.h"
 
 using namespace etalon;
 using namespace etalon::test;
 
 namespace {
-
-/// Returns the bytes allocated by all threads.
-std::size_t heap_bytes() {
-    const auto info = ::mallinfo2();
-    return info.uordblks + info.hblkhd;
-}
 
 /// Bytes of small blocks, which the allocator may hand out again without counting them anew.
 constexpr std::size_t small = 4096;

@@ -36,6 +36,11 @@ std::string describe(const Ray& ray) {
 
 }  // namespace
 
+bool same(const Hit& a, const Hit& b) {
+    if (a.primitive == no_index || b.primitive == no_index) return a.primitive == b.primitive;
+    return a.t == b.t && a.primitive == b.primitive && a.instance == b.instance;
+}
+
 std::vector<Backend> exact_backends() {
     std::vector<Backend> list = all();
     std::erase_if(list, [](const Backend& b) { return !b.exact; });

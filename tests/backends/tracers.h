@@ -19,6 +19,9 @@ const Backend& backend_named(std::string_view name);
 /// backend is compared with itself. The ray must be valid.
 std::optional<Hit> brute_force(const Scene& scene, const Ray& ray);
 
+/// Returns whether both are misses, or the same hit.
+bool same(const Hit& a, const Hit& b);
+
 bool same_bits(const std::optional<Hit>& a, const std::optional<Hit>& b);
 
 /// Returns how the answer of `intersector` to `ray` differs from `expected`; empty if it does not.

@@ -16,12 +16,6 @@ using namespace etalon::test;
 
 namespace {
 
-std::size_t count(const std::string& text, const std::string& part) {
-    std::size_t n = 0;
-    for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++n;
-    return n;
-}
-
 double planned_seconds(const std::vector<Task>& tasks) {
     double sum = 0;
     for (const Task& task : tasks) sum += task.seconds;

@@ -1,7 +1,5 @@
 // Real scenes, where this machine has them.
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "core/formats/write/write.h"
 #include "core/numerics/random.h"
@@ -11,6 +9,7 @@
 #include "tests/formats/same_scene.h"
 #include "tests/formats/sane_scene.h"
 #include "tests/formats/shared_scenes.h"
+#include "tests/temporary_folder.h"
 
 using namespace etalon;
 
@@ -27,11 +26,6 @@ std::vector<std::string> small_files() {
         }
     }
     return list;
-}
-
-std::string content(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
@@ -134,7 +128,7 @@ TEST_CASE("damaged real scenes give a scene or an error", "[needs_shared_scenes]
     const std::vector<std::string> paths = small_files();
     SKIP_UNLESS(!paths.empty(), "no scenes in " << shared_scenes_folder());
     for (const std::string& path : paths) {
-        const std::string text = content(path);
+        const std::string text = test::content_of(path);
         CAPTURE(path);
         for (int i = 0; i < 100; ++i) {
             std::string damaged =

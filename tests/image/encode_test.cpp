@@ -9,18 +9,15 @@
 #include "core/image/image.h"
 #include "core/numerics/random.h"
 #include "tests/catch.h"
+#include "tests/image/srgb_definition.h"
 
 using namespace etalon;
+using etalon::test::linear_of;
 
 namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-
-/// The inverse of sRGB's curve, from its definition.
-double linear_of(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 /// The same by the formula.
 int byte_by_powers(float linear) {

@@ -4,17 +4,13 @@
 #include "core/image/io.h"
 #include "tests/catch.h"
 #include "tests/image/random_images.h"
+#include "tests/image/srgb_definition.h"
 #include "tests/temporary_folder.h"
 
 using namespace etalon;
 using namespace etalon::test;
 
 namespace {
-
-/// Decodes sRGB by the definition in IEC 61966-2-1.
-double linear_of(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 std::vector<Color> pixels_of(const TemporaryFolder& folder, const std::string& name,
                              const std::string& content) {

@@ -6,6 +6,7 @@
 #include "core/sampling/sobol.h"
 #include "tests/catch.h"
 #include "tests/chi_square.h"
+#include "tests/light/uniform_direction.h"
 #include "tests/temporary_folder.h"
 
 using namespace etalon;
@@ -23,11 +24,6 @@ InfiniteSource one_bright_texel(const test::TemporaryFolder& folder) {
     REQUIRE(write_image(file, image).empty());
     // x, y and z of the light are y, z and x of the world.
     return {Color(2, 1, 0.5F), file, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}};
-}
-
-Vec3 anywhere(const Vec2& uv) {
-    const double z = 1 - 2 * uv.x, r = std::sqrt(1 - z * z);
-    return {r * std::cos(2 * pi * uv.y), r * std::sin(2 * pi * uv.y), z};
 }
 
 }  // namespace
@@ -68,7 +64,7 @@ TEST_CASE("Directions are sampled as often as their density says", "[light]") {
     constexpr std::uint32_t count = 1 << 16;
     double integral = 0, mean_from_samples = 0, mean = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec3 d = anywhere(points(i));
+        const Vec3 d = test::uniform_direction(points(i));
         integral += 4 * pi * light.pdf(d) / count;
         // The part that samples leave out, and the whole.
         if (light.pdf(d) > 0) mean += light.radiance(d).y / count;

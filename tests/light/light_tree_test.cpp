@@ -8,6 +8,7 @@
 #include "core/sampling/sobol.h"
 #include "tests/catch.h"
 #include "tests/chi_square.h"
+#include "tests/light/uniform_direction.h"
 
 using namespace etalon;
 using Catch::Matchers::WithinAbs;
@@ -16,11 +17,6 @@ using Catch::Matchers::WithinRel;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-Vec3 direction_of(const Vec2& uv) {
-    const double z = 1 - 2 * uv.x, r = std::sqrt(1 - z * z);
-    return {r * std::cos(2 * pi * uv.y), r * std::sin(2 * pi * uv.y), z};
-}
 
 /// Small lights of all kinds in a cube of side 10.
 std::vector<LightBounds> many_lights(std::uint32_t count) {
@@ -31,9 +27,10 @@ std::vector<LightBounds> many_lights(std::uint32_t count) {
         const Vec3 middle = 10.0 * Vec3(xy.x, xy.y, zw.x);
         const Vec3 half(i % 3 == 0 ? 0 : 0.1 * zw.y);
         const EmissionCone cone =
-            i % 4 == 0   ? EmissionCone{{0, 0, 1}, pi, pi / 2, false}
-            : i % 4 == 1 ? EmissionCone{direction_of(directions(i)), 0, pi / 2, i % 8 == 1}
-                         : EmissionCone{direction_of(directions(i)), 0.2, 0.3, false};
+            i % 4 == 0 ? EmissionCone{{0, 0, 1}, pi, pi / 2, false}
+            : i % 4 == 1
+                ? EmissionCone{test::uniform_direction(directions(i)), 0, pi / 2, i % 8 == 1}
+                : EmissionCone{test::uniform_direction(directions(i)), 0.2, 0.3, false};
         list.push_back({{middle - half, middle + half}, cone, i % 10 == 9 ? 0 : 0.1 + zw.y});
     }
     return list;
@@ -45,7 +42,7 @@ std::vector<Receiver> receivers() {
     for (std::uint32_t i = 0; i < 12; ++i) {
         const Vec2 xy = places(i);
         list.push_back({14.0 * Vec3(xy.x, xy.y, others(i).x) - Vec3(2),
-                        i % 3 == 0 ? Vec3(0) : direction_of(directions(i))});
+                        i % 3 == 0 ? Vec3(0) : test::uniform_direction(directions(i))});
     }
     return list;
 }
@@ -112,7 +109,8 @@ TEST_CASE("Lights that fall off over more than a right angle are picked where th
     const ScrambledSobol directions(7);
     std::vector<LightBounds> lights = many_lights(100);
     for (std::uint32_t i = 0; i < lights.size(); ++i) {
-        lights[i].cone = {direction_of(directions(i)), 0.1 * (i % 3), 0.09 * (i % 34), false};
+        lights[i].cone = {test::uniform_direction(directions(i)), 0.1 * (i % 3), 0.09 * (i % 34),
+                          false};
     }
     const LightTree tree(lights);
     int lit = 0;

@@ -7,6 +7,7 @@
 #include "tests/markup.h"
 
 using namespace etalon::plot;
+using etalon::test::count;
 using etalon::test::is_well_formed;
 
 namespace {
@@ -15,12 +16,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 LineChart chart(std::vector<Series> series) {
     return {"error <against> time", "seconds", "error", std::move(series)};
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-    std::size_t n = 0;
-    for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++n;
-    return n;
 }
 
 }  // namespace

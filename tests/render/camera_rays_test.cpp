@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "tests/chi_square.h"
-#include "tests/each_instruction_set.h"
+#include "tests/render/rays_together.h"
 
 using namespace etalon;
 using namespace etalon::test;
@@ -118,24 +118,6 @@ TEST_CASE("Rays generated together equal those generated one by one, for every i
           "[render]") {
     for (const double aperture : {0.0, 8.0}) {
         Camera c{Vec3(3, -2, 5), Vec3(0.5, 1, -1), Vec3(0.2, 1, 0.1), 40, aperture, 1.5};
-        const CameraRays camera(c, size);
-        std::vector<Vec2> pixels, lens;
-        std::vector<Ray> alone;
-        for (int i = 0; i < 131; ++i) {
-            pixels.emplace_back(i * 1.37, 100 - i * 0.71);
-            lens.emplace_back(i * 7 % 131 / 131.0, i / 131.0);
-            alone.push_back(camera.ray(pixels.back(), lens.back()));
-        }
-        for_each_target([&] {
-            RayBuffer together;
-            together.make_room(alone.size());
-            camera.rays(pixels, lens, together);
-            for (std::size_t i = 0; i < alone.size(); ++i) {
-                const Ray ray = together.view(alone.size())[i];
-                CHECK(ray.origin == alone[i].origin);
-                CHECK(ray.direction == alone[i].direction);
-                CHECK(ray.exclude == no_index);
-            }
-        });
+        check_rays_together(CameraRays(c, size));
     }
 }

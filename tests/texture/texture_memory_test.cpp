@@ -1,10 +1,9 @@
 #include "core/texture/texture_memory.h"
 
-#include <malloc.h>
-
 #include "core/image/io.h"
 #include "core/texture/texture_images.h"
 #include "tests/catch.h"
+#include "tests/heap_bytes.h"
 #include "tests/sanitized.h"
 #include "tests/temporary_folder.h"
 
@@ -32,12 +31,6 @@ struct Files {
     void show_colors() { textures.colors.emplace_back(ImageTexture<Color>{UvMapping{}, last()}); }
     void show_numbers() { textures.numbers.emplace_back(ImageTexture<float>{UvMapping{}, last()}); }
 };
-
-/// Returns the bytes allocated by all threads.
-std::size_t heap_bytes() {
-    const auto info = ::mallinfo2();
-    return info.uordblks + info.hblkhd;
-}
 
 }  // namespace
 
