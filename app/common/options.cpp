@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,6 +12,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/base/parse_number.h"
 #include "core/formats/nearest_name.h"
 
 namespace etalon {
@@ -37,12 +37,10 @@ constexpr bool is_whole = std::is_integral_v<T>;
 /// Reads a number: CLI11 would take -1 for the largest unsigned one, and 010 for 8.
 template <class T>
 std::optional<T> parse(const std::string& text) {
-    T value{};
     if constexpr (is_whole<T>) {
-        const char* const end = text.data() + text.size();
-        const auto [rest, error] = std::from_chars(text.data(), end, value);
-        return error == std::errc() && rest == end ? std::optional(value) : std::nullopt;
+        return parse_number<T>(text);
     } else {
+        T value{};
         return CLI::detail::lexical_cast(text, value) ? std::optional(value) : std::nullopt;
     }
 }

@@ -7,9 +7,9 @@
 #include <sys/socket.h>
 
 #include <cerrno>
-#include <charconv>
 #include <memory>
 
+#include "core/base/parse_number.h"
 #include "core/base/uninterrupted.h"
 
 namespace etalon {
@@ -38,10 +38,8 @@ NetworkAddress parse_address(const std::string& text) {
 
 std::string check_address(const std::string& text) {
     const NetworkAddress address = parse_address(text);
-    unsigned port = 0;
-    const char* const end = address.port.data() + address.port.size();
-    const auto [rest, error] = std::from_chars(address.port.data(), end, port);
-    const bool is_port = error == std::errc() && rest == end && port > 0 && port < 65536;
+    const unsigned port = parse_number<unsigned>(address.port).value_or(0);
+    const bool is_port = port > 0 && port < 65536;
     return is_port && !address.host.empty() ? "" : text + ": expected HOST:PORT";
 }
 

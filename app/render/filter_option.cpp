@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
+#include "core/base/parse_number.h"
 #include "core/formats/nearest_name.h"
 
 namespace etalon {
@@ -29,11 +29,8 @@ const FilterType* find_filter(const std::string& name) {
 
 /// Returns the radius in the text, or 0.
 double radius_of(const std::string& text) {
-    double radius = 0;
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, radius);
-    const bool is_radius = error == std::errc() && rest == end && radius > 0;
-    return is_radius && radius <= max_filter_radius ? radius : 0;
+    const double radius = parse_number<double>(text).value_or(0);
+    return radius > 0 && radius <= max_filter_radius ? radius : 0;
 }
 
 }  // namespace

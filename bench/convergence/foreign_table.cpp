@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 
+#include "core/base/parse_number.h"
 #include "core/formats/byte_order_mark.h"
 
 namespace etalon::convergence {
@@ -43,11 +43,9 @@ using ReadField = std::function<std::string(const std::string& text, ForeignImag
 template <class Set>
 ReadField number(double least, const char* expected, const Set& set) {
     return [=](const std::string& text, ForeignImage& image) -> std::string {
-        double value = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        const bool is_number = error == std::errc() && end == text.data() + text.size();
-        if (!is_number || !std::isfinite(value) || value < least) return expected;
-        set(image, value);
+        const std::optional<double> value = parse_number<double>(text);
+        if (!value || !std::isfinite(*value) || *value < least) return expected;
+        set(image, *value);
         return {};
     };
 }
@@ -60,9 +58,8 @@ ReadField number(double ForeignImage::*member) {
 ReadField pixels(int Imath::V2i::*side) {
     return [=](const std::string& text, ForeignImage& image) -> std::string {
         int& count = image.size.*side;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-        const bool is_whole = error == std::errc() && end == text.data() + text.size();
-        return is_whole && count >= 1 ? "" : "a number of pixels";
+        count = parse_number<int>(text).value_or(0);
+        return count >= 1 ? "" : "a number of pixels";
     };
 }
 

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 
 #include "app/common/scene_files.h"
 #include "app/common/stand_ins.h"
 #include "bench/scenes/bench_families.h"
+#include "core/base/parse_number.h"
 #include "core/formats/load.h"
 #include "core/scene/resize.h"
 #include "core/shading/textured_cut_outs.h"
@@ -25,20 +25,17 @@ struct Request {
                                         [&](const Family& f) { return f.name == word; });
         if (found == families().end()) return;
         family = &*found;
-        size = colon == std::string::npos ? family->usual : number(name.substr(colon + 1));
+        if (colon == std::string::npos) {
+            size = family->usual;
+        } else {
+            size = parse_number<std::size_t>(name.substr(colon + 1)).value_or(0);
+        }
     }
 
     bool has_size() const { return size >= 1 && size <= family->most; }
 
     const Family* family = nullptr;
     std::size_t size = 0;  ///< 0 if it is not a number
-
-  private:
-    static std::size_t number(const std::string& text) {
-        std::size_t value = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        return error == std::errc() && end == text.data() + text.size() ? value : 0;
-    }
 };
 
 std::string names_of_families() {
