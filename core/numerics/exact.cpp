@@ -16,11 +16,6 @@ Difference exact_difference(double a, double b) {
     return Difference(two_difference(a, b));
 }
 
-/// Returns a - b, exactly.
-Vec3TwoTerm in_two_terms(const Vec3& a, const Vec3& b) {
-    return {two_difference(a.x, b.x), two_difference(a.y, b.y), two_difference(a.z, b.z)};
-}
-
 /// Returns d . (p x q), exactly.
 double exact_triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p, const Vec3TwoTerm& q) {
     const auto minor = [&](int i, int j) {
@@ -99,7 +94,7 @@ double edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b, d
     // The estimate's last bit depends on the order of the terms: take one order for both.
     if (precedes(b, a)) return -edge_volume(o, d, b, a, tolerance);
     if (const auto volume =
-            triple_product(two_terms(d), in_two_terms(a, o), in_two_terms(b, o), tolerance)) {
+            triple_product(two_terms(d), two_differences(a, o), two_differences(b, o), tolerance)) {
         return *volume;
     }
     const DyadicVec across = cross(difference(a, o), difference(b, o));
@@ -117,8 +112,8 @@ double exact_edge_sign(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& 
 }
 
 double exact_volume(const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const std::optional<double> volume =
-        triple_product(in_two_terms(a, o), in_two_terms(b, o), in_two_terms(c, o), value_tolerance);
+    const std::optional<double> volume = triple_product(
+        two_differences(a, o), two_differences(b, o), two_differences(c, o), value_tolerance);
     return volume.value_or(nan_value);
 }
 
@@ -127,7 +122,7 @@ double exact_dot(const Vec3& n, const Vec3& d) {
 }
 
 double exact_dot(const Vec3& n, const Vec3& p, const Vec3& o) {
-    const Vec3TwoTerm d = in_two_terms(p, o);
+    const Vec3TwoTerm d = two_differences(p, o);
     const std::array<TwoTerm, 3> term = {d[0] * TwoTerm{n.x, 0}, d[1] * TwoTerm{n.y, 0},
                                          d[2] * TwoTerm{n.z, 0}};
     const double sum = (term[0] + (term[1] + term[2])).value;
