@@ -186,10 +186,9 @@ std::string check_aovs(const Names& names, const Backend& backend) {
     return {};
 }
 
-std::vector<Channel> make_aovs(const Names& names, const Scene& scene,
-                               const Intersector& intersector, const PhysicalShading* shading,
-                               const Film& film, const RenderSettings& settings,
+std::vector<Channel> make_aovs(const Names& names, const RenderedScene& rendered,
                                const std::atomic<bool>& stop, Names& missing) {
+    const auto& [scene, intersector, shading, settings, film] = rendered;
     const std::vector<Aov> list = selected(names);
     AovInputs made{film};
     if (any_from(list, Source::means)) {

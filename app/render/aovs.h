@@ -27,11 +27,18 @@ std::string check_aovs(const std::vector<std::string>& names, const Backend& bac
 /// Returns the bytes of memory of a pixel that making these takes.
 double aov_bytes_per_pixel(const std::vector<std::string>& names);
 
-/// Returns the channels of these, without duplicates, with as few rays as possible. `shading`: see
-/// surface_means(). The names of those that a stop prevented are added to `missing`.
-std::vector<Channel> make_aovs(const std::vector<std::string>& names, const Scene& scene,
-                               const Intersector& intersector, const PhysicalShading* shading,
-                               const Film& film, const RenderSettings& settings,
+/// A scene as it was rendered.
+struct RenderedScene {
+    const Scene& scene;
+    const Intersector& intersector;
+    const PhysicalShading* shading;  ///< see surface_means()
+    const RenderSettings& settings;
+    const Film& film;
+};
+
+/// Returns the channels of these, without duplicates, with as few rays as possible. The names of
+/// those that a stop prevented are added to `missing`.
+std::vector<Channel> make_aovs(const std::vector<std::string>& names, const RenderedScene& rendered,
                                const std::atomic<bool>& stop, std::vector<std::string>& missing);
 
 }  // namespace etalon

@@ -200,7 +200,7 @@ const PhysicalShading* RenderRun::shading() const {
 
 std::vector<Channel> RenderRun::make_channels(const Film& film) try {
     std::vector<std::string> missing;
-    auto channels = make_aovs(a_.aovs, scene_, *intersector_, shading(), film, settings_,
+    auto channels = make_aovs(a_.aovs, {scene_, *intersector_, shading(), settings_, film},
                               SignalGuard::raised(), missing);
     for (const std::string& name : missing) {
         print_message("etalon: warning: stopped before {} was made\n", name);
