@@ -37,6 +37,13 @@ std::string needs_line(const Json& needs) {
     return names.empty() ? "nothing special" : fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// Returns the number of diagnostics, those that were left out included.
+std::size_t diagnostics_in(const Json& list) {
+    std::size_t count = list.size();
+    for (const Json& diagnostic : list) count += diagnostic.value("more", std::size_t{0});
+    return count;
+}
+
 std::string as_text(const Json& j) {
     const auto number = [](const Json& value) { return value.get<std::size_t>(); };
     const auto text = [](const Json& value) { return value.get<std::string>(); };
@@ -56,7 +63,7 @@ std::string as_text(const Json& j) {
         {"needs", needs_line(j["needs"])},
         {"memory", fmt::format("{} bytes, and {} bytes for images of textures",
                                number(j["memory_bytes"]), number(j["texture_memory_bytes"]))},
-        {"diagnostics", fmt::format("{}", j["diagnostics"].size())},
+        {"diagnostics", fmt::format("{}", diagnostics_in(j["diagnostics"]))},
     };
     std::string result = fmt::format("{}: {}\n", text(j["scene"]), text(j["format"]));
     for (const auto& [name, value] : lines) result += fmt::format("  {:<11} {}\n", name, value);

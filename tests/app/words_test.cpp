@@ -129,7 +129,7 @@ TEST_CASE("a scene truncated before its first shape is reported to have none", "
     CHECK(f.etalon("render cut.p3f -q -o a.exr").status == 0);
 }
 
-TEST_CASE("info --json counts the diagnostics that it left out", "[app]") {
+TEST_CASE("info counts the diagnostics that it left out", "[app]") {
     const Folder f;
     std::string text = small_scene;
     for (int i = 0; i < 25; ++i) text += "s 0 0 0 nan\n";
@@ -138,6 +138,7 @@ TEST_CASE("info --json counts the diagnostics that it left out", "[app]") {
     REQUIRE(list.size() == 20);
     CHECK(list.back()["more"] == 5);
     CHECK_FALSE(list.front().contains("more"));
+    CHECK_THAT(f.etalon("info odd.p3f").out, ContainsSubstring("diagnostics 25\n"));
     CHECK(f.etalon("info odd.p3f --json --legacy sce").out == "");  // wrong usage, no scene
 }
 
