@@ -146,11 +146,13 @@ void add(const Aov& aov, const std::vector<Vector>& vectors, std::vector<Channel
 std::string check_aov(const std::string& name) {
     const std::vector<std::string_view> names = all_names();
     if (std::find(names.begin(), names.end(), name) != names.end()) return {};
-    return fmt::format("{}: expected one of {}{}", name, aov_names(), did_you_mean(name, names));
+    return fmt::format("{}: expected one of {}{}", name, fmt::join(names, ", "),
+                       did_you_mean(name, names));
 }
 
-std::string aov_names() {
-    return fmt::format("{}", fmt::join(all_names(), ", "));
+std::vector<std::string> aov_names() {
+    const std::vector<std::string_view> names = all_names();
+    return {names.begin(), names.end()};
 }
 
 bool need_variance(const Names& names) {

@@ -12,8 +12,8 @@ namespace etalon {
 /// Returns why `name` is not an AOV; empty if it is one.
 std::string check_aov(const std::string& name);
 
-/// Returns "albedo, N, ..."
-std::string aov_names();
+/// Returns the names of all AOVs.
+std::vector<std::string> aov_names();
 
 /// Returns whether one of them needs the variances of the film.
 bool need_variance(const std::vector<std::string>& names);

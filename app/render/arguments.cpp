@@ -49,9 +49,11 @@ void declare_image(Options& options, RenderArguments& a) {
         .group(group);
     options
         .add("--aov", a.aovs,
-             "Comma-separated list of additional channels of the EXR: " + aov_names())
+             fmt::format("Comma-separated list of additional channels of the EXR: {}",
+                         fmt::join(aov_names(), ", ")))
         .by_commas()
         .check(check_aov)
+        .suggest(aov_names())
         .group(group);
     options
         .add_flag("--display-values", a.display_values,

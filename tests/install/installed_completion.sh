@@ -47,6 +47,7 @@ expect "none grid bvh embree embree-user embree-builtin" "etalon render --backen
 expect "bvh" "etalon render --backend=b"
 expect "none" "etalon render scene.p3f -o a.exr -b no"
 expect "grid" "etalon crosscheck scene.p3f -b bvh,g"
+expect "cost.boxTests cost.primitiveTests" "etalon render scene.p3f --aov N,co"
 expect "pbrt p3f prt" "etalon info --format p"
 expect "exr png" "etalon render scene.p3f --output-format "
 expect "--seed" "etalon render scene.p3f --see"
