@@ -68,9 +68,11 @@ void declare_image(Options& options, RenderArguments& a) {
 void declare_samples(Options& options, RenderArguments& a) {
     const char* group = "Samples";
     options
-        .add("--spp", a.samples,
-             "Largest number of samples per pixel; 0: one ray through each pixel's centre "
-             "(default: the scene's, but 65536 with --target-error or --time-limit)")
+        .add(
+            "--spp", a.samples,
+            "Number of samples per pixel, the largest with --target-error and --time-limit; 0: one "
+            "ray through each pixel's centre (default: the scene's, but 65536 with these two); "
+            "path and volpath take up to 16 times as many at the outlines of bright lights")
         .within(0, 1 << 24)
         .group(group);
     options
