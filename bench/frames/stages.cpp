@@ -16,7 +16,8 @@ constexpr Stage all[] = {
     {"load", "load", 7, "reading the scene file, without its images", of<&F::load>},
     {"build", "build", 7, "the backend's structure", of<&F::build>},
     {"images", "images", 7,
-     "what the first rendering takes longer than later ones, as for reading the scene's images",
+     "what the first rendering takes longer than later ones: preparing lights and materials, and "
+     "reading the scene's images",
      of<&F::images>},
     {"camera", "camera", 7, "generating the camera rays", of<&F::camera>},
     {"intersection", "inters.", 8, "the frame's rays, traced again by the intersector alone",
