@@ -69,6 +69,11 @@ function(etalon_install_package)
     PATTERN "*.py" EXCLUDE)
   install(FILES scenes/showcase.p3f
     DESTINATION ${CMAKE_INSTALL_DATADIR}/etalon/scenes COMPONENT programs)
+  # What help texts and manual pages refer to; links between these files hold there, too.
+  install(DIRECTORY docs scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/etalon COMPONENT programs
+    USE_SOURCE_PERMISSIONS)
+  install(FILES README.md SECURITY.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/etalon
+    COMPONENT programs)
   install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/etalon RENAME copyright
     COMPONENT programs)
 endfunction()

@@ -52,5 +52,19 @@ check_pages() {
     [[ -s $prefix/share/man/man1/etalon-render.1 ]] || fail "commands_of finds no commands"
 }
 
+# What a help text names of the documentation, and what that says to call, is there to be read and run.
+check_documents() {
+    local document documents
+    documents=$(for command in $(commands_of etalon-bench); do etalon-bench "$command" --help; done |
+        tr -s ' \n' ' ' | grep -oE 'docs/[a-z/]+\.md' | sort -u)
+    [[ -n $documents ]] || fail "no help text names a document"
+    for document in $documents README.md docs/still_life.png; do
+        [[ -s $prefix/share/doc/etalon/$document ]] || fail "$document is not installed"
+    done
+    { "$prefix/share/doc/etalon/scripts/slurm/submit" 2>&1 || true; } |
+        grep -q '^usage: submit parts' || fail "scripts/slurm/submit does not run"
+}
+
 check_render "$@"
 check_pages
+check_documents
