@@ -228,7 +228,10 @@ Action declare_speed(Options& options) {
     auto a = std::make_shared<SpeedArguments>();
     declare_what(options, *a);
     declare_how(options, *a);
-    return [a] { return measure_speed(*a); };
+    return [a] {
+        a->scenes = bench::joined_scene_names(a->scenes);
+        return measure_speed(*a);
+    };
 }
 
 }  // namespace etalon

@@ -177,6 +177,20 @@ TEST_CASE("speed: given a scene that cannot be read, then those before it are wr
     }
 }
 
+TEST_CASE("speed: given a file whose name has commas, then it is measured, beside others") {
+    const Folder f;
+    f.write("a,b,c.p3f", small_scene);
+    const std::string how = " --repeat 1 --max-rays 20 --oracle 0 --rays camera --backends bvh";
+    REQUIRE(speed(f, "--scene spheres:200,a,b,c.p3f,spheres:300 --json s.json" + how).status == 0);
+    std::vector<std::string> names;
+    const json written = json::parse(f.read("s.json"));
+    for (const json& scene : written["scenes"]) names.push_back(scene["scene"]);
+    CHECK(names == std::vector<std::string>{"spheres:200", "a,b,c.p3f", "spheres:300"});
+    CHECK_THAT(
+        speed(f, "--scene spheres:200,a,b,d.p3f").err,
+        ContainsSubstring(" a: no such scene") && ContainsSubstring(" d.p3f: no such scene"));
+}
+
 TEST_CASE("speed says what is wrong before it measures anything") {
     const Folder f;
     const auto r = speed(f, "--scene spheres:200,soap");
