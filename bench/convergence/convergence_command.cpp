@@ -55,18 +55,23 @@ Result<std::vector<ForeignImage>> read_foreign_images(ConvergenceArguments& a) {
                         a.foreign, a.scene)};
 }
 
-/// The reference and the curves of one integrator.
-Result<Measured> measure_integrator(const ConvergenceArguments& a, const bench::NamedScene& named,
-                                    const RenderSettings& settings, const RunProgress& run) {
+/// Adds the reference and the curves of one integrator, each when it is done; returns an error
+/// message, or nothing.
+std::string measure_integrator(const ConvergenceArguments& a, const bench::NamedScene& named,
+                               RunProgress run, Measured& all) {
     Result<ReferenceImage> reference =
         a.reference.empty()
-            ? Result<ReferenceImage>{render_reference(*named.scene, settings, a.config, run), {}}
-            : read_reference_image(a.reference, settings);
-    if (!reference) return {{}, reference.error};
-    Measured measured;
-    measured.reference = reference.value.description;
-    measured.curves = measure(*named.scene, settings, reference.value, a.config, run);
-    return {std::move(measured), {}};
+            ? Result<ReferenceImage>{render_reference(*named.scene, named.settings, a.config, run),
+                                     {}}
+            : read_reference_image(a.reference, named.settings);
+    if (!reference) return reference.error;
+    all.reference = reference.value.description;
+    run.after_curve = [&](const convergence::Curve& curve) {
+        all.curves.push_back(curve);
+        keep_results(all, a.json, a.csv);
+    };
+    measure(*named.scene, named.settings, reference.value, a.config, run);
+    return {};
 }
 
 /// Measures the images of other programs against the reference and adds them; returns an error
@@ -104,14 +109,12 @@ std::string measure_integrators(const ConvergenceArguments& a, const bench::Name
     const auto count = static_cast<double>(a.integrators.size());
     for (std::size_t i = 0; i < a.integrators.size() && !stop; ++i) {
         const auto done = static_cast<double>(i);
-        const RunProgress run{stop, [&](double part) { progress.update((done + part) / count); }};
+        RunProgress run{stop, [&](double part) { progress.update((done + part) / count); }};
         bench::NamedScene scene = named;
         choose_integrator(a.integrators[i], scene.settings);
         prepare_scene(a.integrators[i], *scene.scene, scene.settings);
-        Result<Measured> one = measure_integrator(a, scene, scene.settings, run);
-        if (!one) return one.error;
-        all.reference = one.value.reference;
-        std::ranges::move(one.value.curves, std::back_inserter(all.curves));
+        std::string error = measure_integrator(a, scene, std::move(run), all);
+        if (!error.empty()) return error;
     }
     return {};
 }
@@ -157,9 +160,10 @@ int measure_convergence(ConvergenceArguments a) {
     const std::string why = measure_integrators(a, named, signals.raised(), all);
     if (!why.empty()) return fail(exit_unusable, why);
     warn_of_replaced_images(a, *named.scene, all);
-    all.stopped = signals.signal() != 0;
+    const bool is_stopped = signals.signal() != 0;
+    if (is_stopped) all.stopped = "signal";
     if (!write_results(all, a.json, a.csv)) return exit_not_written;
-    return all.stopped ? exit_signal + signals.signal() : exit_done;
+    return is_stopped ? exit_signal + signals.signal() : exit_done;
 }
 
 void declare_inputs(Options& options, ConvergenceArguments& a) {

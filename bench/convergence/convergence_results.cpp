@@ -43,7 +43,7 @@ Json list_of(const List& list) {
 
 Json json_of(const Measured& m, const std::vector<CurveComparison>& comparisons) {
     Json json = provenance();
-    json["stopped"] = m.stopped ? Json("signal") : Json();
+    json["stopped"] = m.stopped.empty() ? Json() : Json(m.stopped);
     json["scene"] = m.scene;
     json["image"] = {{"width", m.size.x}, {"height", m.size.y}};
     json["reference"] = m.reference;
@@ -54,6 +54,14 @@ Json json_of(const Measured& m, const std::vector<CurveComparison>& comparisons)
     return json;
 }
 
+bool write_files(const Measured& measured, const std::vector<CurveComparison>& comparisons,
+                 const std::string& json, const std::string& csv) {
+    bool written = true;
+    if (!json.empty()) written = write_json(json, json_of(measured, comparisons));
+    if (csv.empty()) return written;
+    return write_text(csv, csv_of(measured.curves, measured.foreign, comparisons)) && written;
+}
+
 }  // namespace
 
 bool write_results(const Measured& measured, const std::string& json, const std::string& csv) {
@@ -61,12 +69,18 @@ bool write_results(const Measured& measured, const std::string& json, const std:
     write_table(csv == "-" ? csv : json,
                 heading_of(measured) + tables_of(measured.curves) + tables_of(measured.foreign) +
                     tables_of(comparisons) +
-                    (measured.stopped ? "Stopped by a signal: not all curves.\n" : "") +
+                    (measured.stopped.empty() ? "" : "Stopped by a signal: not all curves.\n") +
                     legend_of(measured));
-    bool written = true;
-    if (!json.empty()) written = write_json(json, json_of(measured, comparisons));
-    if (csv.empty()) return written;
-    return write_text(csv, csv_of(measured.curves, measured.foreign, comparisons)) && written;
+    return write_files(measured, comparisons, json, csv);
+}
+
+void keep_results(Measured measured, const std::string& json, const std::string& csv) {
+    const auto replaceable = [](const std::string& path) {
+        return is_replaceable(path) ? path : std::string();
+    };
+    measured.stopped = "error";
+    write_files(measured, compare(measured.curves, measured.foreign), replaceable(json),
+                replaceable(csv));
 }
 
 }  // namespace etalon::convergence

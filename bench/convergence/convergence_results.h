@@ -15,11 +15,15 @@ struct Measured {
     std::string reference{};  ///< description of the reference
     std::vector<Curve> curves{};
     std::vector<ForeignCurve> foreign{};
-    bool stopped = false;  ///< stopped by a signal: curves are missing
+    /// Why curves are missing, as in the JSON: "signal", "error", or nothing.
+    std::string stopped{};
 };
 
 /// Writes tables to standard output, and the results to the files that are named; for "-", standard
 /// output, the tables go to standard error. Returns false if a file could not be written.
 bool write_results(const Measured& measured, const std::string& json, const std::string& csv);
+
+/// Writes the results so far to the files that can be replaced later, since all may take hours.
+void keep_results(Measured measured, const std::string& json, const std::string& csv);
 
 }  // namespace etalon::convergence

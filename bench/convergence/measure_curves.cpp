@@ -196,6 +196,7 @@ std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
         curve.points = mean_of(seeds);
         curve.fit = fit(curve.points);
         done.push_back(std::move(curve));
+        if (run.after_curve) run.after_curve(done.back());
     }
     return done;
 }

@@ -23,10 +23,11 @@ struct ConvergenceConfig {
     double reading_seconds = 0;
 };
 
-/// Stop flag and progress callback of a task.
+/// Stop flag and callbacks of a task.
 struct RunProgress {
     const std::atomic<bool>& stop;         ///< if set, stop soon
     std::function<void(double)> progress;  ///< called with the fraction done, from any thread
+    std::function<void(const Curve&)> after_curve{};  ///< called with each curve, if there is one
 };
 
 /// The image to which all curves converge: Sobol' points of a seed that no curve has, and so many

@@ -43,6 +43,20 @@ TEST_CASE("convergence: given an integrator that cannot render the scene, then i
     CHECK_FALSE(f.has("c.json"));
 }
 
+TEST_CASE("convergence: given a kill in a curve, then its files have the curves before it") {
+    const TexturedFolder f;
+    // The second curve takes a thousand times as long as the first: its backend tests every sphere.
+    f.shell("'" ETALON_BINARY_DIR
+            "/bin/etalon-bench' convergence spheres:200000 --width 32 --spp 4 --seeds 1 "
+            "--samplers sobol --backends bvh,none --json c.json --csv c.csv & "
+            "until [ -s c.csv ] || ! kill -0 $!; do sleep 0.01; done; kill -9 $!");
+    const nlohmann::json written = nlohmann::json::parse(f.read("c.json"));
+    CHECK(written["stopped"] == "error");
+    REQUIRE(written["curves"].size() == 1);
+    CHECK(written["curves"][0]["backend"] == "bvh");
+    CHECK_THAT(f.read("c.csv"), ContainsSubstring("sobol, bvh") && !ContainsSubstring("none"));
+}
+
 TEST_CASE("An image that cannot be read is told by convergence and frames, as by render") {
     const TexturedFolder f;
     const std::string warning = f.etalon("render t.pbrt --spp 1 -q -o t.exr").err;
