@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/common/output.h"
 #include "app/common/provenance.h"
@@ -134,6 +136,18 @@ std::string csv_of(const Table& table) {
     return text;
 }
 
+/// Returns the names of the files of the page's tables, and the tables.
+std::map<std::string, const Table*> tables_of(const Page& page) {
+    std::map<std::string, const Table*> tables;
+    for (const Section& section : page.sections) {
+        for (const Figure& figure : section.figures) {
+            const auto* table = std::get_if<Table>(&figure.content);
+            if (table != nullptr) tables[csv_name(section, figure)] = table;
+        }
+    }
+    return tables;
+}
+
 }  // namespace
 
 bool write_data(const std::string& folder, const Results& results, const Page& page) {
@@ -152,15 +166,22 @@ bool is_file_of_report(const std::string& name, const Page& page) {
 bool write_tables(const std::string& folder, const Page& page) {
     const std::filesystem::path place(folder);
     bool written = true;
-    for (const Section& section : page.sections) {
-        for (const Figure& figure : section.figures) {
-            const auto* table = std::get_if<Table>(&figure.content);
-            if (table == nullptr) continue;
-            const auto path = place / csv_name(section, figure);
-            written = write_text(path.string(), csv_of(*table)) && written;
-        }
+    for (const auto& [name, table] : tables_of(page)) {
+        written = write_text((place / name).string(), csv_of(*table)) && written;
     }
     return written;
+}
+
+std::vector<std::string> old_tables(const std::string& folder, const Page& page) {
+    const std::map<std::string, const Table*> tables = tables_of(page);
+    std::set<std::string> found;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+        const std::string name = entry.path().filename().string();
+        const bool is_table = name.ends_with(".csv") && is_file_of_report(name, page);
+        if (is_table && !tables.contains(name)) found.insert(name);
+    }
+    return {found.begin(), found.end()};
 }
 
 }  // namespace etalon::bench_report

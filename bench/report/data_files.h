@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "bench/report/content.h"
 #include "bench/report/measured_results.h"
@@ -14,6 +15,10 @@ bool write_data(const std::string& folder, const Results& results, const Page& p
 
 /// The same for each table of the page, as SECTION-TITLE.csv (RFC 4180).
 bool write_tables(const std::string& folder, const Page& page);
+
+/// Returns the names of the folder's tables that the page does not have: an earlier report had
+/// them.
+std::vector<std::string> old_tables(const std::string& folder, const Page& page);
 
 /// Returns whether a file in the report's folder has a name that the page, the data or a table of
 /// one of the page's sections may have.

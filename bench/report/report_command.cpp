@@ -1,5 +1,5 @@
 // etalon-bench report: runs all measurements and writes one page.
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <set>
@@ -66,6 +66,7 @@ class Report {
             print_message("etalon-bench: warning: the report is incomplete: {}\n",
                           results_.missing);
         }
+        warn_of_old_tables();
         print_result("{}\n", path_);
         return signals_.signal() != 0 ? exit_signal + signals_.signal() : exit_done;
     }
@@ -95,6 +96,13 @@ class Report {
                 return false;
         }
         return true;
+    }
+
+    void warn_of_old_tables() const {
+        const std::vector<std::string> names = old_tables(folder_, page_of(results_));
+        if (names.empty()) return;
+        print_message("etalon-bench: warning: {}: of an earlier report, not of this one: {}\n",
+                      folder_, fmt::join(names, ", "));
     }
 
     bool is_over() const { return signals_.raised() || deadline_.is_over(); }

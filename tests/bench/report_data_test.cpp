@@ -41,6 +41,18 @@ json written_data(const Results& results, const TemporaryFolder& folder) {
 
 }  // namespace
 
+TEST_CASE("Tables of an earlier report are told from those of this one, and from other files") {
+    const TemporaryFolder folder;
+    written_data(sample_results(), folder);
+    const Page page = page_of(sample_results());
+    CHECK(old_tables(folder / ".", page).empty());
+    for (const char* name : {"frames-old.csv", "speed-older.csv", "speed.csv", "frames-old.txt"}) {
+        std::ofstream(folder / name) << "a";
+    }
+    CHECK(old_tables(folder / ".", page) ==
+          std::vector<std::string>{"frames-old.csv", "speed-older.csv"});
+}
+
 TEST_CASE("A ray of the hard cases is counted once, however many backends answer it") {
     const Page page = page_of(sample_results());
     // Two cases of a sphere and two of a scene, of a million rays each.
