@@ -58,8 +58,9 @@ std::string unknown_argument(const CLI::App& program, const Names& arguments) {
     const CLI::App& command = chosen_command(program);
     const bool needs_command = &command == &program && !program.get_subcommands({}).empty();
     if (needs_command && !is_option(arguments.front())) return unknown_command(program, arguments);
-    const auto option = std::ranges::find_if(arguments, is_option);
-    if (option != arguments.end()) return unknown_option(command, *option);
+    const auto end_of_options = std::ranges::find(arguments, "--");
+    const auto option = std::find_if(arguments.begin(), end_of_options, is_option);
+    if (option != end_of_options) return unknown_option(command, *option);
     return fmt::format("unexpected argument '{}'", arguments.back());
 }
 

@@ -185,6 +185,8 @@ TEST_CASE("a misspelt command or option is answered with the nearest name", "[ap
     CHECK(error_of(f, "etalon render a.p3f --frobnicate") ==
           "etalon: error: no option --frobnicate");
     CHECK(error_of(f, "etalon render a.p3f b.p3f") == "etalon: error: unexpected argument 'b.p3f'");
+    CHECK(error_of(f, "etalon convert -- a.p3f -o b.p3f") ==
+          "etalon: error: unexpected argument 'b.p3f'");
 }
 
 TEST_CASE("a wrong value is reported with what was expected", "[app]") {
