@@ -10,7 +10,6 @@ namespace {
 /// Sums `part` of the noise of each octave, with the octave's weight.
 template <class Part>
 double sum_of_octaves(const FractalNoise& noise, const Vec3& p, Part part) {
-    constexpr double lacunarity = 1.99;      // not 2: the octaves' zeros must not coincide
     constexpr double last_frequency = 1e16;  // beyond, coordinates of about 1 have no digits
     double sum = 0, weight = 1, frequency = 1;
     for (int i = 0; i < noise.octaves && frequency < last_frequency; ++i) {

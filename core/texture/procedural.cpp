@@ -54,7 +54,7 @@ float procedural_value(const WrinkledTexture& texture, const Vec3& position) {
 float procedural_value(const WindyTexture& texture, const Vec3& position) {
     const Vec3 p = texture.to_texture.point(position);
     const double wind = fractional_brownian_motion({3, 0.5F}, 0.1 * p);
-    const double waves = fractional_brownian_motion({6, 0.5F}, p);
+    const double waves = fractional_brownian_motion({windy_octaves, 0.5F}, p);
     return static_cast<float>(std::abs(wind) * waves);
 }
 

@@ -26,6 +26,12 @@ class Texels {
     /// colours are used as they are.
     Texels(const SharedTexels& texels, const TextureImage& how);
 
+    /// Returns the numbers of columns and rows.
+    Imath::V2i size() const {
+        return packed_ ? Imath::V2i(packed_->width, packed_->height)
+                       : Imath::V2i(image_->width, image_->height);
+    }
+
     /// Return the value at (s, t): the first three channels, or grey; or the first channel alone,
     /// of an image that is not packed.
     Color color(const Vec2& st) const;

@@ -97,7 +97,9 @@ struct Evaluation {
 }  // namespace
 
 TextureValues::TextureValues(const Textures& textures, std::vector<std::string>& problems)
-    : textures_(textures), images_(read_texture_images(textures, problems)) {}
+    : textures_(textures),
+      images_(read_texture_images(textures, problems)),
+      steps_(etalon::difference_steps(textures, images_.numbers)) {}
 
 float TextureValues::texture_number(std::uint32_t texture, const TexturePoint& point) const {
     return std::visit(Evaluation<float>{*this, images_, point}, textures_.numbers[texture]);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/scene/texture.h"
+#include "core/texture/difference_steps.h"
 #include "core/texture/texture_images.h"
 #include "core/texture/texture_point.h"
 
@@ -25,12 +26,18 @@ class TextureValues {
         return slot.texture == no_index ? slot.value : texture_color(slot.texture, point);
     }
 
+    /// Returns the largest steps of finite differences of a slot.
+    DifferenceSteps difference_steps(const NumberSlot& slot) const {
+        return slot.texture == no_index ? DifferenceSteps{} : steps_[slot.texture];
+    }
+
   private:
     float texture_number(std::uint32_t texture, const TexturePoint& point) const;
     Color texture_color(std::uint32_t texture, const TexturePoint& point) const;
 
     const Textures& textures_;
     TextureImages images_;
+    std::vector<DifferenceSteps> steps_;  ///< of the textures of numbers
 };
 
 }  // namespace etalon

@@ -72,3 +72,18 @@ TEST_CASE("Where coordinates have no extent the surface stays as it is", "[mater
     point.dpdu = point.dpdv = Vec3(0);
     CHECK(scattering_of(plane(0, 0, 0), {bumpy_matte()}, point).ns() == Vec3(0, 0, 1));
 }
+
+TEST_CASE(
+    "Bump map: given a surface whose coordinates span many features, then it has their slopes",
+    "[material]") {
+    // The noise depends on the position alone, so the extent of u and v is of no importance.
+    Textures noise;
+    noise.numbers.emplace_back(WrinkledTexture{{}, {8, 0.5F}});
+    MaterialPoint small = flat_point({0.3, 0.7});
+    MaterialPoint large = small;
+    large.dpdu *= 1e4;
+    large.dpdv *= 1e4;
+    const Vec3 ns = scattering_of(noise, {bumpy_matte()}, small).ns();
+    CHECK((ns - Vec3(0, 0, 1)).length() > 0.1);
+    CHECK((scattering_of(noise, {bumpy_matte()}, large).ns() - ns).length() < 0.05);
+}
