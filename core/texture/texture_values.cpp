@@ -23,9 +23,15 @@ Color shown(const TextureImages& images, const ImageTexture<Color>& texture, con
     return images.colors[texture.image].color(st);
 }
 
-/// Returns whether the checks with these coordinates' integer parts are of the first kind.
-bool is_even(double sum_of_floors) {
-    return std::floor(sum_of_floors / 2) == sum_of_floors / 2;
+/// Returns the number of the check at a coordinate. Hits of a plane between two checks are on
+/// either side of it, by rounding, and all are taken to be of the upper check.
+double check_at(double x) {
+    return std::floor(x + 0x1p-40 * (1 + std::abs(x)));
+}
+
+/// Returns whether checks whose numbers have this sum are of the first kind.
+bool is_even(double sum) {
+    return std::floor(sum / 2) == sum / 2;
 }
 
 /// Converts a colour to a value of a texture of type T.
@@ -68,12 +74,12 @@ struct Evaluation {
 
     T operator()(const Checkerboard2<T>& t) const {
         const Vec2 st = texture_coordinates(t.mapping, point);
-        return of(is_even(std::floor(st.x) + std::floor(st.y)) ? t.even : t.odd);
+        return of(is_even(check_at(st.x) + check_at(st.y)) ? t.even : t.odd);
     }
 
     T operator()(const Checkerboard3<T>& t) const {
         const Vec3 p = t.to_texture.point(point.position);
-        return of(is_even(std::floor(p.x) + std::floor(p.y) + std::floor(p.z)) ? t.even : t.odd);
+        return of(is_even(check_at(p.x) + check_at(p.y) + check_at(p.z)) ? t.even : t.odd);
     }
 
     T operator()(const DotsTexture<T>& t) const {

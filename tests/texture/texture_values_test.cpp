@@ -1,5 +1,7 @@
 #include "core/texture/texture_values.h"
 
+#include <cmath>
+
 #include "tests/catch.h"
 
 using namespace etalon;
@@ -111,4 +113,18 @@ TEST_CASE("a checkerboard in space alternates along three axes of its own", "[te
     CHECK(number_at(textures, at_position(0.25, 0.75, 0.25)) == 1);
     CHECK(number_at(textures, at_position(0.25, 0.25, 0.75)) == 1);
     CHECK(number_at(textures, at_position(-0.25, -0.25, 0.25)) == 0);
+}
+
+TEST_CASE("Checkerboard: given hits of a plane between checks, then all are of the upper check",
+          "[texture]") {
+    const Textures in_space{{Checkerboard3<float>{{}, {1}, {0}}}, {}, {}};
+    const Textures on_plane{{Checkerboard2<float>{PlanarMapping{}, {1}, {0}}}, {}, {}};
+    for (const double x : {-3.0, 0.0, 1.0, 7.0, 1000.0}) {
+        const double rounding = 1e-14 * (1 + std::abs(x));
+        const float upper = std::fmod(std::abs(x), 2) == 0 ? 1 : 0;
+        for (const double hit : {x - rounding, x, x + rounding}) {
+            CHECK(number_at(in_space, at_position(hit, 0.5, 0.5)) == upper);
+            CHECK(number_at(on_plane, at_position(hit, 0.5, 0.5)) == upper);
+        }
+    }
 }
