@@ -75,6 +75,12 @@ TEST_CASE("the diameter of a stop is at most that of the lens file") {
     CHECK(lenses.camera(loaded).lens->surfaces[1].aperture_radius == 0.005);
 }
 
+TEST_CASE("Lens stop: given the diameter of the lens file, then there is nothing to warn of") {
+    const Lenses lenses;
+    lenses.write("50 4 1.5 20\n0 1 0 17.1\n-50 45 1 20\n");
+    CHECK(lenses.said(lenses.load(file + "\"float aperturediameter\" 17.1")) == Said{});
+}
+
 TEST_CASE("words in a lens file are skipped") {
     const Lenses lenses;
     lenses.write("50 4 1.5 20 mm\n0 1 0 10\n-50 45 1 20");

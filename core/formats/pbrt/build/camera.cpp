@@ -33,14 +33,15 @@ double half_tangent(const Parameters& p) {
 
 /// Sets the diameter of a lens's stops, unless it is larger than the file's.
 void stop_down(SceneBuilder& b, const Plugin& plugin, std::vector<LensSurface>& surfaces) {
-    const double radius = plugin.parameters.number("aperturediameter") / 2e3;
+    const float diameter = plugin.parameters.number("aperturediameter");
     for (LensSurface& s : surfaces) {
         if (s.curvature_radius != 0) continue;
-        if (radius > s.aperture_radius) {
+        // As floats, in which a diameter that both files give is the same.
+        if (const auto most = static_cast<float>(2e3 * s.aperture_radius); diameter > most) {
             b.warn(plugin.where, "lens", "aperturediameter {}: taken as {}, the lens file's",
-                   2e3 * radius, 2e3 * s.aperture_radius);
+                   diameter, most);
         } else {
-            s.aperture_radius = std::max(0.0, radius);
+            s.aperture_radius = std::max(0.0, diameter / 2e3);
         }
     }
 }
