@@ -59,6 +59,25 @@ TEST_CASE("a camera that shows no area causes a warning") {
     }
 }
 
+TEST_CASE("Pixel filter: given a parameter that leaves no weights, then its default stands in") {
+    const auto filter_of = [](const std::string& filter, const std::string& problem) {
+        CAPTURE(filter);
+        const LoadResult r = load_scene_text(
+            "PixelFilter " + filter + "\nWorldBegin Shape \"sphere\" WorldEnd\n", "a.pbrt");
+        REQUIRE(r.diagnostics.size() == 1);
+        CHECK(to_string(r.diagnostics[0]) == "a.pbrt:1:1: warning: " + problem);
+        return r.settings.filter;
+    };
+    for (const std::string alpha : {"0", "-1"}) {
+        CHECK(filter_of("\"gaussian\" \"float alpha\" " + alpha,
+                        "alpha " + alpha + ": expected a number above 0; taken as 2")
+                  .alpha == 2);
+    }
+    CHECK(
+        filter_of("\"sinc\" \"float tau\" 0", "tau 0: expected a number above 0; taken as 3").tau ==
+        3);
+}
+
 TEST_CASE("a mix whose materials may have more lobes than fit causes a warning") {
     std::string world;
     for (const char* name : {"a", "b", "c"}) {

@@ -41,6 +41,17 @@ void build_film(SceneBuilder& b) {
     }
 }
 
+/// Replaces parameters with which no sample would have a weight, and the image would be black.
+void check_weights(SceneBuilder& b, PixelFilter& filter) {
+    const auto replace = [&](std::string_view name, double& value, double usual) {
+        b.warn(b.frame.filter.where, "filter", "{} {}: expected a number above 0; taken as {}",
+               name, value, usual);
+        value = usual;
+    };
+    if (!(filter.alpha > 0)) replace("alpha", filter.alpha, PixelFilter().alpha);
+    if (filter.tau == 0) replace("tau", filter.tau, PixelFilter().tau);
+}
+
 void build_filter(SceneBuilder& b) {
     const Plugin& plugin = b.frame.filter;
     const Parameters& p = plugin.parameters;
@@ -55,6 +66,7 @@ void build_filter(SceneBuilder& b) {
     given("B", filter.b);
     given("C", filter.c);
     given("tau", filter.tau);
+    check_weights(b, filter);
     for (int k = 0; k < 2; ++k) {
         double& radius = filter.radius[k];
         if (radius > 0 && radius <= max_filter_radius) continue;
