@@ -50,7 +50,7 @@ struct ProjectiveCamera {
     Affine to_world;  ///< for a moving camera: at the time at which the shutter opens
     /// The part of the plane z = 1 that the image shows, if it is fixed; unused by
     /// Projection::environment. If it is not, it is the centred window of `half_side` and the
-    /// image's aspect ratio.
+    /// image's aspect ratio. With a `lens` only its diagonal is fixed, as the film's is.
     std::optional<ImageWindow> fixed_window{};
     double half_side = 1;
     double lens_radius = 0;

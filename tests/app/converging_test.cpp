@@ -287,3 +287,22 @@ TEST_CASE("an EXR has the aspect of pixels that are not square", "[app]") {
     CHECK(aspect("\"float screenwindow\" [-1 1 -1 1]", "40x20") == Approx(0.5));
     CHECK(aspect("\"float screenwindow\" [-1 1 -1 1]", "20x40") == Approx(2));
 }
+
+TEST_CASE("Pixel aspect: given a realistic camera and any size, then pixels are square", "[app]") {
+    const Folder f;
+    f.write("lens.dat", "35 3 1.6 20\n-35 5 1 20\n0 30 0 15\n");
+    const auto aspect = [&](const std::string& parameters, const std::string& size) {
+        f.write("a.pbrt",
+                "Film \"image\" \"integer xresolution\" 64 \"integer yresolution\" 48\n"
+                "Camera \"realistic\" \"float aperturediameter\" 4 " +
+                    parameters + " WorldBegin Shape \"sphere\" WorldEnd");
+        REQUIRE(f.etalon("render a.pbrt --spp 1 -q -o a.exr --resolution " + size).status == 0);
+        return Imf::InputFile(f.path("a.exr").c_str()).header().pixelAspectRatio();
+    };
+    for (const std::string camera : {"\"string lensfile\" \"lens.dat\"", ""}) {
+        for (const std::string size : {"64x48", "20x40"}) {
+            CAPTURE(camera, size);
+            CHECK(aspect(camera, size) == 1);
+        }
+    }
+}

@@ -123,7 +123,6 @@ void build_camera(SceneBuilder& b) {
     if (name == "environment") {
         camera.projection = Projection::environment;
     } else if (name == "realistic") {
-        camera.fixed_window = {-1, 1, -1, 1};
         add_lens(b, plugin, camera);
     } else {
         add_window(b, plugin, camera);
