@@ -92,3 +92,15 @@ TEST_CASE("a mesh takes at most twice its data and 66 bytes a triangle", "[app][
         CHECK(large - small <= 2 * data + 66.0 * 2 * n * n);
     }
 }
+
+TEST_CASE("samples of all lights at many vertices take little memory at a time", "[app]") {
+    const Folder f;
+    f.write("lights.pbrt",
+            "LookAt 0 0 -5  0 0 0  0 1 0 Camera \"perspective\" Integrator \"directlighting\" "
+            "WorldBegin AttributeBegin AreaLightSource \"diffuse\" Shape \"loopsubdiv\" \"integer "
+            "nlevels\" 8 \"point P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2] AttributeEnd "
+            "Translate 0 0 2 Shape \"disk\" \"float radius\" 100 WorldEnd\n");
+    const auto r = f.etalon("render lights.pbrt --resolution 32x32 --spp 1 -t 1 -q -o a.png");
+    CHECK(r.status == 0);
+    CHECK(r.peak_bytes < 200'000'000);
+}

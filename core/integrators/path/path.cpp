@@ -15,6 +15,28 @@ bool has_media(const PhysicalLook& look) {
            });
 }
 
+/// Returns how many of the paths are followed together: fewer than all where each vertex samples so
+/// many lights that the points on them, and the shadow rays, would need much memory.
+std::size_t count_together(const PathScene& scene, std::size_t paths) {
+    constexpr std::size_t most_light_samples = 1 << 16;  // of about 110 bytes each
+    if (!scene.samples_all || scene.lights.empty()) return paths;
+    return std::max<std::size_t>(1, most_light_samples / scene.lights.samples());
+}
+
+/// Follows the paths of the samples, which do not depend on how many are followed together.
+template <bool in_media>
+void follow(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors,
+            RayCounts& counts) {
+    const std::size_t all = colors.size(), most = count_together(scene, all);
+    for (std::size_t first = 0; first < all; first += most) {
+        const std::size_t some = std::min(most, all - first);
+        PathBatch<in_media>(
+            scene, {samples.rays.subspan(first, some), samples.sources.subspan(first, some)},
+            colors.subspan(first, some), counts)
+            .run();
+    }
+}
+
 /// Returns the emission that camera rays hit, if there is no medium in the way.
 void emission_of(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors) {
     RayCounts not_of_the_image;
@@ -25,7 +47,7 @@ void emission_of(const PathScene& scene, const CameraSamples& samples, std::span
 
 void PathTracer::radiance(const CameraSamples& samples, std::span<Color> colors,
                           RayCounts& counts) const {
-    PathBatch<false>(scene_, samples, colors, counts).run();
+    follow<false>(scene_, samples, colors, counts);
 }
 
 void PathTracer::emission(const CameraSamples& samples, std::span<Color> colors) const {
@@ -41,9 +63,9 @@ VolumePathTracer::VolumePathTracer(const Scene& scene, const BatchIntersector& i
 void VolumePathTracer::radiance(const CameraSamples& samples, std::span<Color> colors,
                                 RayCounts& counts) const {
     if (in_media_) {
-        PathBatch<true>(scene_, samples, colors, counts).run();
+        follow<true>(scene_, samples, colors, counts);
     } else {
-        PathBatch<false>(scene_, samples, colors, counts).run();
+        follow<false>(scene_, samples, colors, counts);
     }
 }
 
