@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <fstream>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/image/announced_size.h"
+#include "core/image/lack_of_memory.h"
 #include "core/image/oiio_abi.h"
 
 namespace {
@@ -44,12 +47,16 @@ constexpr Signature signatures[] = {{"#?", "HDR", "hdr"},
                                     {"PF\r", "PFM", ""},
                                     {"Pf\r", "PFM", ""}};
 
-/// Returns the signature of a file, or null if its format is unknown.
-const Signature* signature_of(const char* path) {
-    char bytes[4] = {};
+std::string first_bytes(const char* path) {
+    std::string bytes(etalon::announcement_size, '\0');
     std::ifstream file(path, std::ios::binary);
-    file.read(bytes, sizeof bytes);
-    const std::string_view start(bytes, static_cast<std::size_t>(file.gcount()));
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    return bytes;
+}
+
+/// Returns the signature that a file begins with, or null if its format is unknown.
+const Signature* signature_of(std::string_view start) {
     for (const Signature& s : signatures) {
         if (start.substr(0, s.start.size()) == s.start) return &s;
     }
@@ -64,6 +71,19 @@ const Signature* signature_of(const char* path) {
          " is damaged, cut short or of a kind not supported");
 }
 
+/// Throws if a file is too small for so many bytes of pixels.
+void check_size(const char* path, const Signature* signature, std::int64_t bytes) {
+    if (etalon::may_contain(path, bytes)) return;
+    fail_by_content(signature, "the image is damaged or cut short");
+}
+
+/// Returns the bytes of an image or, if that is more, of one of its tiles.
+std::int64_t bytes_of(const OIIO::ImageSpec& spec) {
+    const std::int64_t width = std::max(spec.width, spec.tile_width);
+    const std::int64_t height = std::max(spec.height, spec.tile_height);
+    return width * height * spec.nchannels * static_cast<std::int64_t>(spec.format.size());
+}
+
 /// Runs `task` and catches whatever it throws.
 template <class Task>
 int guarded(const EtalonSink& sink, Task task) noexcept {
@@ -71,6 +91,8 @@ int guarded(const EtalonSink& sink, Task task) noexcept {
         task();
         return 1;
     } catch (const Refused&) {
+    } catch (const std::bad_alloc&) {
+        sink.fail(sink.context, etalon::lack_of_memory);
     } catch (const std::exception& e) {
         sink.fail(sink.context, e.what());
     }
@@ -106,6 +128,7 @@ std::unique_ptr<OIIO::ImageInput> open(const char* path, const Signature* signat
     if (spec.depth != 1 || spec.deep) fail("volumes and deep images are not supported");
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) fail("it has no pixels");
     if (std::max(spec.width, spec.height) > max_side) fail("larger than 65536 pixels");
+    check_size(path, signature, bytes_of(spec));
     // OpenImageIO multiplies its colours by alpha, although they are asked for as stored.
     if (signature != nullptr && signature->format == "webp" && spec.nchannels > 3) {
         fail("a WebP with alpha is not supported");
@@ -150,7 +173,9 @@ bool read_rows(OIIO::ImageInput& input, const EtalonImageFormat& format, const E
 
 int read(const char* path, int header_only, const EtalonSink* sink) {
     return guarded(*sink, [&] {
-        const Signature* const signature = signature_of(path);
+        const std::string start = first_bytes(path);
+        const Signature* const signature = signature_of(start);
+        check_size(path, signature, etalon::bytes_at_opening(start));
         const auto input = open(path, signature);
         const OIIO::ImageSpec& spec = input->spec();
         const EtalonImageFormat format{spec.width,

@@ -1,6 +1,7 @@
 // Files of other formats, given as bytes.
 #include <cstring>
 
+#include "core/image/announced_size.h"
 #include "core/image/io.h"
 #include "tests/catch.h"
 #include "tests/temporary_folder.h"
@@ -60,6 +61,24 @@ std::string tiled_tiff() {
     return t.text;
 }
 
+/// An image of 40 000 pixels a side, or of one tile of that size, in a kilobyte of RGB.
+std::string huge_tiff(unsigned side, bool is_tiled) {
+    constexpr unsigned huge = 40000, entries = 9;
+    Tiff t;
+    t.number(0, 1);
+    t.number(8, 4);
+    t.word(entries);
+    t.entry(256, 4, 1, side), t.entry(257, 4, 1, side);
+    t.entry(258, 3, 1, 8), t.entry(259, 3, 1, 1), t.entry(262, 3, 1, 2);
+    if (!is_tiled) t.entry(273, 4, 1, 200);
+    t.entry(277, 3, 1, 3);
+    if (!is_tiled) t.entry(278, 4, 1, huge), t.entry(279, 4, 1, 800);
+    if (is_tiled) t.entry(322, 4, 1, huge), t.entry(323, 4, 1, huge);
+    if (is_tiled) t.entry(324, 4, 1, 200), t.entry(325, 4, 1, 800);
+    t.text.resize(1024);
+    return t.text;
+}
+
 }  // namespace
 
 TEST_CASE("eight-bit values stay as stored") {
@@ -91,6 +110,32 @@ TEST_CASE("what OpenImageIO reads wrong is refused") {
                ContainsSubstring("a WebP with alpha is not supported"));
     put(folder / "p.pfm", "PF\r\n1 1\r\n-1.0\r\n" + std::string(12, 'x'));
     CHECK_THAT(read_image(folder / "p.pfm").error, ContainsSubstring("the PFM is damaged"));
+}
+
+TEST_CASE("a small file of a large image, or of a large tile, is refused by its header") {
+    const TemporaryFolder folder;
+    for (const bool is_tiled : {false, true}) {
+        CAPTURE(is_tiled);
+        put(folder / "huge.tif", huge_tiff(is_tiled ? 16 : 40000, is_tiled));
+        CHECK_THAT(read_image(folder / "huge.tif", Extent::header).error,
+                   ContainsSubstring("the TIFF is damaged, cut short"));
+    }
+}
+
+TEST_CASE("an image that its reader would allocate when it opens the file is refused before") {
+    const TemporaryFolder folder;
+    const std::string side = "@\x9c", zero(2, '\0');  // 40 000, and the upper half of four bytes
+    const std::string gif = "GIF89a" + side + side + std::string(1000, 'x');
+    const std::string bmp = "BM" + std::string(16, 'x') + side + zero + side + zero + gif;
+    for (const std::string& content : {gif, bmp}) {
+        put(folder / "huge", content);
+        const std::int64_t bytes = bytes_at_opening(content);
+        CHECK(bytes == std::int64_t{4} * 40000 * 40000);
+        CHECK(!may_contain((folder / "huge").c_str(), bytes));
+        CHECK_THAT(read_image(folder / "huge").error, ContainsSubstring("is damaged, cut short"));
+    }
+    CHECK(bytes_at_opening(tiled_tiff()) == 0);
+    CHECK(may_contain((folder / "huge").c_str(), 1 << 20));
 }
 
 TEST_CASE("one channel is grey") {
