@@ -43,6 +43,17 @@ TEST_CASE("textures are nested until one value takes more than a thousand of the
     CHECK(said_of_world(nested_textures(40)).size() == 4);  // the count is reset each time
 }
 
+TEST_CASE("Checkerboard: given dimensions other than two and three, then there are two of them") {
+    const auto said = [](const std::string& dimension) {
+        return said_of_world("Texture \"t\" \"spectrum\" \"checkerboard\" \"integer dimension\" " +
+                             dimension + "\nMaterial \"matte\" \"texture Kd\" \"t\"\n" + triangle);
+    };
+    CHECK(said("2").empty());
+    CHECK(said("3").empty());
+    CHECK(said("5") == Said{"a.pbrt:2:1: warning: a checkerboard of dimension 5: expected 2 or 3; "
+                            "taken as 2"});
+}
+
 TEST_CASE("a camera that shows no area causes a warning") {
     for (const char* camera :
          {"\"perspective\" \"float fov\" 0", "\"orthographic\" \"float screenwindow\" [1 1 -1 1]",

@@ -79,7 +79,12 @@ template <class T>
 etalon::Texture<T> checkerboard(SceneBuilder& b, const pbrt::Texture& t) {
     const Parameters& p = t.plugin.parameters;
     const etalon::Slot<T> even = Values<T>::slot(b, p, "tex1"), odd = Values<T>::slot(b, p, "tex2");
-    if (p.integer("dimension") == 3) return Checkerboard3<T>{to_texture_3d(b, t), even, odd};
+    const int dimension = p.integer("dimension");
+    if (dimension == 3) return Checkerboard3<T>{to_texture_3d(b, t), even, odd};
+    if (dimension != 2) {
+        b.warn(t.plugin.where, "range",
+               "a checkerboard of dimension {}: expected 2 or 3; taken as 2", dimension);
+    }
     return Checkerboard2<T>{mapping(b, t), even, odd};
 }
 
