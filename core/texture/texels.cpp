@@ -38,6 +38,7 @@ Value Texels::interpolated(const Vec2& st) const {
         [&](const auto& values) {
             Value sum(0.0F);
             for (std::size_t k = 0; k < 4; ++k) {
+                if (near.weights[k] == 0) continue;  // the texel may be infinite
                 sum += texel(&values[near.texels[k] * image_->channels]) * near.weights[k];
             }
             return sum * scale_;

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "core/image/io.h"
 #include "core/texture/texture_values.h"
 #include "tests/catch.h"
@@ -179,4 +181,21 @@ TEST_CASE("an image that no texture shows is not read", "[texture]") {
     std::vector<std::string> problems;
     const TextureValues values(textures, problems);
     CHECK(problems.empty());
+}
+
+TEST_CASE("Image: given an infinite texel, then it counts where it has a weight", "[texture]") {
+    const TemporaryFolder folder;
+    RenderedImage image{};
+    image.width = image.height = 2;
+    image.window = {{0, 0}, {1, 1}};
+    image.pixels = {Color(std::numeric_limits<float>::infinity()), Color(1.0F), Color(2.0F),
+                    Color(3.0F)};
+    const TextureImage bordered{folder / "bright.exr", Wrap::black, false, 1};
+    REQUIRE(write_image(bordered.file, image).empty());
+
+    CHECK(color_at(bordered, 0.25, 0.25) == Color(2.0F));
+    CHECK(number_at(bordered, 0.75, 0.75) == 1);
+    CHECK(color_at(bordered, 5, 5) == Color(0.0F));
+    CHECK(number_at(bordered, -1, 0.25) == 0);
+    CHECK(std::isinf(number_at(bordered, 0.3, 0.7)));
 }
