@@ -1,5 +1,8 @@
 #include "app/common/program_facts.h"
 
+#include <filesystem>
+#include <system_error>
+
 namespace etalon {
 
 extern const char* const etalon_commit;
@@ -14,6 +17,20 @@ std::string& noted_program_name() {
 std::string& noted_command_line() {
     static std::string text;
     return text;
+}
+
+std::filesystem::path& noted_folder() {
+    static std::filesystem::path folder;
+    return folder;
+}
+
+/// Returns the folder of a program as it was called, from the working folder on if it is below
+/// that.
+std::filesystem::path folder_of(const std::filesystem::path& program) {
+    std::error_code none;
+    const std::filesystem::path folder = program.parent_path();
+    const auto below = folder.lexically_relative(std::filesystem::current_path(none));
+    return below.empty() || *below.begin() == ".." ? folder : below;
 }
 
 }  // namespace
@@ -46,6 +63,7 @@ const std::string& program_name() {
 }
 
 void note_command_line(int argc, char** argv) {
+    if (argc > 0) noted_folder() = folder_of(argv[0]);
     std::string& text = noted_command_line();
     for (int i = 0; i < argc; ++i) {
         if (i > 0) text += ' ';
@@ -55,6 +73,10 @@ void note_command_line(int argc, char** argv) {
 
 const std::string& command_line() {
     return noted_command_line();
+}
+
+std::string sibling_program(const std::string& name) {
+    return shell_quoted((noted_folder() / name).string());
 }
 
 }  // namespace etalon

@@ -30,4 +30,8 @@ void note_command_line(int argc, char** argv);
 /// Returns the command line, each word quoted as a POSIX shell needs it.
 const std::string& command_line();
 
+/// Returns how to call a program of Etalon that is beside this one, quoted: build/bin/etalon, or
+/// etalon if this one was found by PATH.
+std::string sibling_program(const std::string& name);
+
 }  // namespace etalon

@@ -6,10 +6,26 @@
 #include <filesystem>
 
 #include "app/common/program_facts.h"
+#include "bench/report/measure/rendered.h"
 #include "bench/speed/figures.h"
 
 namespace etalon::bench_report {
 namespace {
+
+/// Return how these programs are called.
+std::string bench_program() {
+    return sibling_program("etalon-bench");
+}
+std::string etalon_program() {
+    return sibling_program("etalon");
+}
+std::string scenes_program() {
+    return sibling_program("etalon-scenes");
+}
+
+std::string quoted_path(const std::string& shipped_scene) {
+    return shell_quoted(shipped_path(shipped_scene));
+}
 
 /// Returns the tracers to request; the baselines are always measured.
 std::vector<std::string> requested(const speed::SpeedConfig& config) {
@@ -29,7 +45,7 @@ std::string command_of(const Settings& settings) {
     }
     const std::string foreign =
         settings.foreign_table.empty() ? "" : " --foreign " + shell_quoted(settings.foreign_table);
-    return fmt::format("build/bin/etalon-bench report{}{}{} -o {}",
+    return fmt::format("{} report{}{}{} -o {}", bench_program(),
                        settings.name == "quick" ? " --quick" : "", foreign, scenes,
                        shell_quoted(settings.folder));
 }
@@ -37,10 +53,9 @@ std::string command_of(const Settings& settings) {
 std::string speed_command(const Settings& settings, const std::string& scene) {
     const speed::SpeedConfig& config = settings.speed_config;
     return fmt::format(
-        "build/bin/etalon-bench speed --scene {} --backends {} --threads {} --repeat {} "
-        "--max-rays {} --oracle {}",
-        scene, fmt::join(requested(config), ","), fmt::join(config.threads, ","), config.repeats,
-        config.max_rays, config.oracle_seconds);
+        "{} speed --scene {} --backends {} --threads {} --repeat {} --max-rays {} --oracle {}",
+        bench_program(), scene, fmt::join(requested(config), ","), fmt::join(config.threads, ","),
+        config.repeats, config.max_rays, config.oracle_seconds);
 }
 
 std::string speed_command(const Settings& settings) {
@@ -49,14 +64,13 @@ std::string speed_command(const Settings& settings) {
 
 std::string builds_command(const Settings& settings, const std::string& scene) {
     const speed::SpeedConfig& config = settings.speed_config;
-    return fmt::format(
-        "build/bin/etalon-bench speed --only-build --scene {} --backends {} --threads {} "
-        "--repeat {}",
-        scene, fmt::join(requested(config), ","), fmt::join(config.threads, ","), config.repeats);
+    return fmt::format("{} speed --only-build --scene {} --backends {} --threads {} --repeat {}",
+                       bench_program(), scene, fmt::join(requested(config), ","),
+                       fmt::join(config.threads, ","), config.repeats);
 }
 
 std::string accuracy_command(const Settings& settings) {
-    return fmt::format("build/bin/etalon-bench accuracy --backends {} --rays {} --limit {}",
+    return fmt::format("{} accuracy --backends {} --rays {} --limit {}", bench_program(),
                        fmt::join(settings.accuracy_backends, ","), settings.case_rays,
                        settings.case_seconds);
 }
@@ -77,9 +91,9 @@ std::string spd_command(const Settings& settings) {
         scenes += fmt::format("\"{} {}\" ", s.family, s.size);
     }
     return fmt::format(
-        "for scene in {}; do set -- $scene; build/bin/etalon-scenes $1 --size $2 -o $1.p3f; "
-        "build/bin/etalon render $1.p3f --spd --stats -; done",
-        scenes.substr(0, scenes.size() - 1));
+        "for scene in {}; do set -- $scene; {} $1 --size $2 -o $1.p3f; "
+        "{} render $1.p3f --spd --stats -; done",
+        scenes.substr(0, scenes.size() - 1), scenes_program(), etalon_program());
 }
 
 std::string frames_command(const Settings& settings, FrameOrigin origin) {
@@ -88,41 +102,41 @@ std::string frames_command(const Settings& settings, FrameOrigin origin) {
         if (f.origin != origin) continue;
         const bool is_family = origin == FrameOrigin::family;
         if (is_family) {
-            made += fmt::format("build/bin/etalon-scenes {0} --size {1} -o {0}.p3f && ", f.scene,
-                                f.size);
+            made +=
+                fmt::format("{0} {1} --size {2} -o {1}.p3f && ", scenes_program(), f.scene, f.size);
         }
-        scenes += " " + shell_quoted((origin == FrameOrigin::shipped ? "scenes/" : "") + f.scene +
-                                     (is_family ? ".p3f" : ""));
+        scenes += " " + (origin == FrameOrigin::shipped
+                             ? quoted_path(f.scene)
+                             : shell_quoted(f.scene + (is_family ? ".p3f" : "")));
         size = (f.width > 0 ? fmt::format(" --width {}", f.width) : "") +
                (f.samples > 0 ? fmt::format(" --spp {}", f.samples) : "");
     }
-    return fmt::format("{}build/bin/etalon-bench frames{}{} --repeat {}", made, scenes, size,
+    return fmt::format("{}{} frames{}{} --repeat {}", made, bench_program(), scenes, size,
                        settings.frame_repeats);
 }
 
 std::string image_command(const ImageRequest& request) {
     const std::string name = std::filesystem::path(request.scene).stem().string();
-    const std::string render = fmt::format("build/bin/etalon render scenes/{} --resolution {}x{}",
-                                           request.scene, request.width, request.height);
+    const std::string render =
+        fmt::format("{} render {} --resolution {}x{}", etalon_program(), quoted_path(request.scene),
+                    request.width, request.height);
     return fmt::format(
         "{0} --spp {1} -o {2}.exr -o {2}.png --aov cost.boxTests,cost.primitiveTests && {0} --spp "
         "{3} --seed 1 -o fewer.exr && "
-        "build/bin/etalon compare fewer.exr {2}.exr --heatmap {2}-error.png",
-        render, request.samples, name, request.fewer_samples);
+        "{4} compare fewer.exr {2}.exr --heatmap {2}-error.png",
+        render, request.samples, name, request.fewer_samples, etalon_program());
 }
 
 std::string convergence_command(const Settings& settings, const ConvergenceRequest& request) {
-    return fmt::format(
-        "build/bin/etalon-bench convergence scenes/{} --width {} --spp {} --seeds {} --backends {}",
-        request.scene, request.width, request.samples, settings.convergence_seeds,
-        fmt::join(settings.convergence_backends, ","));
+    return fmt::format("{} convergence {} --width {} --spp {} --seeds {} --backends {}",
+                       bench_program(), quoted_path(request.scene), request.width, request.samples,
+                       settings.convergence_seeds, fmt::join(settings.convergence_backends, ","));
 }
 
 std::string foreign_command(const Settings& settings) {
-    return fmt::format(
-        "build/bin/etalon-bench convergence SCENE --foreign {} --samplers sobol --spp {} --seeds "
-        "{}",
-        shell_quoted(settings.foreign_table), settings.foreign_samples, settings.foreign_seeds);
+    return fmt::format("{} convergence SCENE --foreign {} --samplers sobol --spp {} --seeds {}",
+                       bench_program(), shell_quoted(settings.foreign_table),
+                       settings.foreign_samples, settings.foreign_seeds);
 }
 
 }  // namespace etalon::bench_report

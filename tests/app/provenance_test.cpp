@@ -1,6 +1,8 @@
 // Provenance of results: version, commit, compiler and command.
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/common/program_facts.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 
@@ -36,6 +38,21 @@ std::string commit_of(const Folder& f, const std::string& folder) {
 }
 
 }  // namespace
+
+TEST_CASE("A program beside this one: given how this one was called, then it is called alike",
+          "[app]") {
+    const std::string here = std::filesystem::current_path().string();
+    const auto sibling_of = [](std::string called) {
+        char* argv[] = {called.data()};
+        etalon::note_command_line(1, argv);
+        return etalon::sibling_program("etalon");
+    };
+    CHECK(sibling_of("build/bin/etalon-bench") == "build/bin/etalon");
+    CHECK(sibling_of(here + "/build/bin/etalon-bench") == "build/bin/etalon");
+    CHECK(sibling_of("/opt/my bin/etalon-bench") == "'/opt/my bin/etalon'");
+    CHECK(sibling_of("../etalon-bench") == "../etalon");
+    CHECK(sibling_of("etalon-bench") == "etalon");
+}
 
 TEST_CASE("The commit is that of the tree's own repository, and says what differs",
           "[app][needs_git]") {

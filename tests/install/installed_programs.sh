@@ -25,6 +25,8 @@ check_render() {
     timeout -s INT 3 etalon-bench report --quick -o report >/dev/null 2>log || status=$?
     ((status == 124)) || fail "the report ended early, with status $status: $(cat log)"
     if grep 'scenes/' log; then fail "the report does not find the scenes that come with it"; fi
+    grep -q '[^/]etalon-bench report --quick' report/index.html || fail "the report has no commands"
+    if grep -o 'build/bin/etalon' report/index.html; then fail "its commands are those of a build"; fi
 }
 
 # check_page NAME COMMAND...: the page NAME.1 against the help of the command.

@@ -30,7 +30,7 @@ fs::path scenes_folder() {
 }  // namespace
 
 std::string shipped_path(const std::string& name) {
-    return (scenes_folder() / name).string();
+    return (scenes_folder() / name).lexically_normal().string();
 }
 
 std::optional<ShippedScene> shipped_scene(const std::string& name) {
