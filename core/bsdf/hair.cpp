@@ -103,12 +103,13 @@ Color exp(const Color& c) {
 Ways ways_of(const Inclination& o, float h, float eta, const Color& absorption) {
     const double sine_t = o.sine / eta, cosine_t = safe_root(1 - sine_t * sine_t);
     const double seen_eta = safe_root(eta * eta - o.sine * o.sine) / o.cosine;
-    const double sine_gamma_t = std::clamp(h / seen_eta, -1.0, 1.0);
+    // Beyond the critical angle of an index below 1 no light is inside, and no path has a length.
+    const double sine_gamma_t = seen_eta > 0 ? std::clamp(h / seen_eta, -1.0, 1.0) : 0;
     Ways ways;
     ways.section = {std::asin(double(h)), std::asin(sine_gamma_t)};
 
     const double length = 2 * safe_root(1 - sine_gamma_t * sine_gamma_t) / cosine_t;
-    const Color through = exp(absorption * static_cast<float>(-length));
+    const Color through = cosine_t > 0 ? exp(absorption * static_cast<float>(-length)) : Color(0);
     const auto cosine = static_cast<float>(o.cosine * safe_root(1 - double(h) * h));
     const float f = dielectric_reflectance(std::max(cosine, 1e-6F), eta);
     ways.parts[0] = Color(f);

@@ -46,6 +46,19 @@ TEST_CASE("A hair that absorbs nothing scatters all light", "[bsdf]") {
     }
 }
 
+TEST_CASE("A hair that absorbs nothing scatters all light if its index is below that outside",
+          "[bsdf]") {
+    for (const float index : {0.9F, 0.5F, 0.3F, 0.1F, 0.0F}) {
+        for (const float across : {-0.95F, 0.0F, 0.7F}) {
+            const std::vector<Lobe> white = {
+                HairScattering({across, index, Color(0), 0.3F, 0.5F, 2})};
+            INFO("index " << index << ", at " << across << " of the width");
+            CHECK(scattered_power(white, {0.3, -0.4, std::sqrt(0.75)}, true) ==
+                  Approx(1).epsilon(1e-3));
+        }
+    }
+}
+
 TEST_CASE("Light from below comes through borders of usual indices, and is never negative",
           "[bsdf]") {
     for (const float index : {0.0F, 0.3F, 0.5F, 1.0F, 1.33F, 1.5F, 2.0F, 5.0F}) {
