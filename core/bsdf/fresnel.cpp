@@ -30,9 +30,13 @@ float conductor_channel(float cos_i, float eta, float k) {
 }  // namespace
 
 Color conductor_reflectance(float cos_incident, const Color& eta, const Color& k) {
+    // With larger ones, which are mirrors as well, fourth powers are beyond floats.
+    constexpr float most = 1e9F;
     const float cos_i = std::min(cos_incident, 1.0F);
-    return {conductor_channel(cos_i, eta.x, k.x), conductor_channel(cos_i, eta.y, k.y),
-            conductor_channel(cos_i, eta.z, k.z)};
+    const auto channel = [&](float n, float absorbed) {
+        return conductor_channel(cos_i, std::min(n, most), std::min(absorbed, most));
+    };
+    return {channel(eta.x, k.x), channel(eta.y, k.y), channel(eta.z, k.z)};
 }
 
 Color DisneyFresnel::operator()(float cos_incident) const {

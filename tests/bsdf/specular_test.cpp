@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "tests/bsdf/lobe_cases.h"
 #include "tests/catch.h"
 
@@ -28,6 +30,21 @@ TEST_CASE("A white mirror and white glass lose no light", "[bsdf]") {
                 REQUIRE(sample);
                 CHECK(sample->specular);
                 CHECK(carried(*bsdf, *sample) == Approx(1));
+            }
+        }
+    }
+}
+
+TEST_CASE("Conductors of indices beyond all others mirror all light", "[bsdf]") {
+    constexpr float largest = std::numeric_limits<float>::max();
+    for (const float much : {1e8F, 1e10F, 1e20F, largest}) {
+        for (const auto& [eta, k] : {std::pair(0.0F, much), std::pair(1.0F, much),
+                                     std::pair(much, 0.0F), std::pair(much, much)}) {
+            const Bsdf metal =
+                bsdf_of({SpecularReflection{Color(1), ConductorFresnel{Color(eta), Color(k)}}});
+            for (const Vec3& eye : eyes()) {
+                INFO("eta " << eta << ", k " << k << ", cosine to the eye " << eye.z);
+                CHECK(mean(metal.albedo(world(metal, eye))) == Approx(1));
             }
         }
     }
