@@ -35,11 +35,19 @@ bool keeps_angles(const Affine& m) {
            is_next_to_0(m.x.dot(m.y)) && is_next_to_0(m.y.dot(m.z)) && is_next_to_0(m.z.dot(m.x));
 }
 
+/// Returns a texel, or black where it is infinite or no number: no sample with its light counts,
+/// and directions to all the others are sampled as if it were not there.
+Color finite_part(const Color& texel) {
+    return is_finite(texel) ? texel : Color(0.0F);
+}
+
 /// Returns ninths of a row's luminances, from the column before the first to the one after the
 /// last.
 std::vector<float> ninths_of_row(const SphericalImage& image, int y) {
     std::vector<float> ninths;
-    for (int x = -1; x <= image.width(); ++x) ninths.push_back(luminance(image.texel(x, y)) / 9);
+    for (int x = -1; x <= image.width(); ++x) {
+        ninths.push_back(luminance(finite_part(image.texel(x, y))) / 9);
+    }
     return ninths;
 }
 
@@ -103,7 +111,7 @@ void InfiniteLight::prepare_sampling(SkySampling sampling) {
         const double sine = std::sin(pi * (y + 0.5) / height);
         for (int x = 0; x < width; ++x) {
             sum += sine * cells.values[static_cast<std::size_t>(y) * width + x];
-            colors += sine * Vec3(image_.texel(x, y));
+            colors += sine * Vec3(finite_part(image_.texel(x, y)));
             weights += sine;
         }
     }

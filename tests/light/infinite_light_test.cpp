@@ -1,5 +1,6 @@
 #include "core/light/infinite_light.h"
 
+#include <limits>
 #include <numbers>
 
 #include "core/image/io.h"
@@ -104,6 +105,30 @@ TEST_CASE("Directions to a sky are drawn with the density that is said of them",
         CHECK(test::chi_square_probability(sample, density, 3) > 1e-3);
         const auto wrong = [&](const Vec3& wi) { return light.pdf(wi) * (wi.y > 0 ? 1.04 : 0.96); };
         CHECK(test::chi_square_probability(sample, wrong, 3) < 1e-3);
+    }
+}
+
+TEST_CASE("A sky with a texel that is no finite number is sampled where the others are bright",
+          "[light]") {
+    const test::TemporaryFolder folder;
+    for (const float odd :
+         {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+        RenderedImage image{16, 8, {{0, 0}, {15, 7}}, std::vector(16 * 8, Color(0.1F)), false, {}};
+        image.pixels[3 * 16 + 5] = Color(100);
+        image.pixels[4 * 16 + 12] = Color(0.1F, odd, 0.1F);
+        REQUIRE(write_image(folder / "sky.exr", image).empty());
+        std::vector<std::string> problems;
+        const InfiniteLight light({Color(1), folder / "sky.exr"}, problems);
+        REQUIRE(problems.empty());
+        REQUIRE(light.can_be_sampled());
+        CHECK(is_finite(light.mean()));
+        CHECK(light.mean().x > 0.5F);
+        const ScrambledSobol points(5);
+        for (std::uint32_t i = 0; i < 256; ++i) {
+            const LightSample s = light.sample(points(i));
+            CHECK(s.pdf > 0);
+            CHECK(is_finite(s.radiance));
+        }
     }
 }
 
