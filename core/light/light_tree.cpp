@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/parallel/parallel.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {
@@ -38,7 +39,8 @@ constexpr double slack = 1e-6;
 
 }  // namespace
 
-/// Splits lights top-down where the cost of the halves is least.
+/// Splits lights top-down where the cost of the halves is least. Subtrees are built in parallel: as
+/// the number of their nodes is known, each has its place.
 class LightTree::Builder {
   public:
     Builder(const std::vector<LightBounds>& bounds, LightTree& tree)
@@ -49,16 +51,20 @@ class LightTree::Builder {
 
     void build() {
         if (order_.empty()) return;
-        tree_.nodes_.reserve(2 * order_.size());
-        tree_.nodes_.emplace_back();
-        tree_.parents_.push_back(no_index);
-        build(0, 0, order_.size(), 0);
+        tree_.nodes_.resize(2 * order_.size() - 1);
+        tree_.parents_.resize(tree_.nodes_.size(), no_index);
+        build({0, 1}, 0, order_.size(), 0);
     }
 
   private:
     static constexpr int bins = 12;
-    static constexpr int deepest = 40;  ///< depth from which halves have equal numbers
+    static constexpr int deepest = 40;         ///< depth from which halves have equal numbers
+    static constexpr std::size_t many = 1024;  ///< lights that are worth a task
 
+    /// Places of a subtree's root and of the other nodes, which follow each other.
+    struct Place {
+        std::uint32_t root, others;
+    };
     struct Bin {
         LightBounds bounds;
         std::size_t count = 0;
@@ -83,19 +89,22 @@ class LightTree::Builder {
             bin.bounds =
                 bin.count++ == 0 ? bounds_[order_[i]] : united(bin.bounds, bounds_[order_[i]]);
         }
-        std::array<double, bins> above{};
+        std::array<double, bins + 1> above{};
         LightBounds side;
         for (int k = bins - 1; k > 0; --k) {
+            above[k] = above[k + 1];
+            if (filled[k].count == 0) continue;
             side = united(side, filled[k].bounds);
-            above[k] = side.intensity > 0 ? cluster_cost(side) : 0;
+            above[k] = cluster_cost(side);
         }
         Split best;
         side = {};
         std::size_t below = 0;
         for (int k = 0; k + 1 < bins; ++k) {
+            if (filled[k].count == 0) continue;
             side = united(side, filled[k].bounds);
             below += filled[k].count;
-            if (below == 0 || below == last - first) continue;
+            if (below == last - first) break;
             const double cost = cluster_cost(side) + above[k + 1];
             if (cost < best.cost) best = {cost, axis, k + 1};
         }
@@ -134,25 +143,37 @@ class LightTree::Builder {
         return static_cast<std::size_t>(found - order_.begin());
     }
 
-    LightBounds build(std::uint32_t node, std::size_t first, std::size_t last, int depth) {
-        if (last - first == 1) {
-            const std::uint32_t light = order_[first];
-            tree_.nodes_[node] = node_of(bounds_[light]);
-            tree_.nodes_[node].first = light;
-            tree_.nodes_[node].is_leaf = true;
-            tree_.leaves_[light] = node;
-            return bounds_[light];
-        }
+    LightBounds build(const Place& at, std::size_t first, std::size_t last, int depth) {
+        if (last - first == 1) return build_leaf(at.root, order_[first]);
         const std::size_t middle = split(first, last, depth);
-        const auto children = static_cast<std::uint32_t>(tree_.nodes_.size());
-        tree_.nodes_.resize(children + 2);
-        tree_.parents_.resize(children + 2, node);
-        const LightBounds a = build(children, first, middle, depth + 1),
-                          b = build(children + 1, middle, last, depth + 1);
+        const std::uint32_t children = at.others;
+        tree_.parents_[children] = tree_.parents_[children + 1] = at.root;
+        const auto below_first = static_cast<std::uint32_t>(2 * (middle - first - 1));
+        LightBounds a, b;
+        const auto build_first = [&] {
+            a = build({children, children + 2}, first, middle, depth + 1);
+        };
+        const auto build_second = [&] {
+            b = build({children + 1, children + 2 + below_first}, middle, last, depth + 1);
+        };
+        if (last - first > many) {
+            parallel_invoke(build_first, build_second);
+        } else {
+            build_first();
+            build_second();
+        }
         const LightBounds both = united(a, b);
-        tree_.nodes_[node] = node_of(both);
-        tree_.nodes_[node].first = children;
+        tree_.nodes_[at.root] = node_of(both);
+        tree_.nodes_[at.root].first = children;
         return both;
+    }
+
+    const LightBounds& build_leaf(std::uint32_t node, std::uint32_t light) {
+        tree_.nodes_[node] = node_of(bounds_[light]);
+        tree_.nodes_[node].first = light;
+        tree_.nodes_[node].is_leaf = true;
+        tree_.leaves_[light] = node;
+        return bounds_[light];
     }
 
     const std::vector<LightBounds>& bounds_;

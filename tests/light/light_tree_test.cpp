@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/parallel/parallel.h"
 #include "core/sampling/sobol.h"
 #include "tests/catch.h"
 #include "tests/chi_square.h"
@@ -153,6 +154,27 @@ TEST_CASE("Lights in one place, and none at all, are no difficulty", "[light]") 
         for (std::uint32_t i = 0; i < 100; ++i) sum += tree.probability(at, i);
         if (from == Vec3(0)) CHECK_THAT(sum, WithinAbs(1, 1e-9));
         CHECK(sum <= 1 + 1e-9);
+    }
+}
+
+TEST_CASE("A tree of many lights is the same for any number of threads", "[light]") {
+    const std::vector<LightBounds> lights = many_lights(20000);
+    const auto made_by = [&](int threads) {
+        const ThreadLimit limit(threads);
+        return LightTree(lights);
+    };
+    const LightTree one = made_by(1), several = made_by(4);
+    for (const Receiver& at : receivers()) {
+        Random random(3);
+        for (int i = 0; i < 1000; ++i) {
+            const double choice = random.uniform();
+            const auto a = one.pick(at, choice), b = several.pick(at, choice);
+            REQUIRE(a.has_value() == b.has_value());
+            if (!a) continue;
+            CHECK(a->light == b->light);
+            CHECK(a->probability == b->probability);
+            CHECK(one.probability(at, a->light) == several.probability(at, a->light));
+        }
     }
 }
 
