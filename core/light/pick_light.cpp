@@ -30,7 +30,10 @@ double Lights::importance(const Source& source, const Receiver& at) const {
     }
     const LightSample sample = sample_delta(source, at.position);
     const double cosine = one_sided ? std::max(0.0, at.normal.dot(sample.wi)) : 1;
-    return strength(sample.radiance) * cosine;
+    const double importance = strength(sample.radiance) * cosine;
+    // Where an image is infinite or no number, the light is picked beside the others, so that its
+    // samples are counted as such.
+    return std::isfinite(importance) ? importance : source.power;
 }
 
 std::optional<LightPick> Lights::pick(Receiver& at, double choice) const {

@@ -1,6 +1,7 @@
 // Selection of a light at a point, and its samples.
 #include "core/light/lights.h"
 
+#include <limits>
 #include <numbers>
 
 #include "core/image/io.h"
@@ -130,6 +131,36 @@ TEST_CASE("The importance of a light is 0 only where it gives nothing", "[light]
         }
     }
     CHECK(lit > 10000);
+}
+
+TEST_CASE("A light whose image is no number somewhere leaves the others there", "[light]") {
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "lamp.exr";
+    for (const float odd :
+         {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+        RenderedImage image{4, 2, {{0, 0}, {3, 1}}, std::vector(8, Color(odd)), false, {}};
+        REQUIRE(write_image(file, image).empty());
+        for (const int triangles : {3, 40}) {
+            Scene scene = lit_scene(triangles);
+            scene.physical().lights.emplace_back(
+                GoniometricSource{Vec3(0, 0, 2), Color(1), file, Affine{}});
+            std::vector<std::string> problems;
+            const Lights lights(scene, problems);
+            REQUIRE(problems.empty());
+            Receiver at{Vec3(1, 0.5, 1)};
+            const auto lamp = static_cast<std::uint32_t>(lights.size() - 1);
+            int lamps = 0;
+            constexpr int count = 1024;
+            for (int i = 0; i < count; ++i) {
+                const auto pick = lights.pick(at, (i + 0.5) / count);
+                REQUIRE(pick);
+                CHECK(pick->probability > 0);
+                lamps += pick->light == lamp;
+            }
+            CHECK(lamps > 0);
+            CHECK(lamps < count);
+        }
+    }
 }
 
 TEST_CASE("A point light falls off by the square of the distance", "[light]") {
