@@ -110,14 +110,19 @@ void Lights::add(const PhysicalLight& light, std::vector<std::string>& problems,
     numbers_.push_back(static_cast<std::uint32_t>(sources_.size() - 1));
 }
 
+/// Returns the number of a light's image. Lights of the same file share it.
+std::uint32_t Lights::image_number(const std::string& file, std::vector<std::string>& problems) {
+    const auto next = static_cast<std::uint32_t>(images_.size());
+    const auto [place, is_new] = image_numbers_.try_emplace(file, next);
+    if (is_new) images_.emplace_back(file, problems);
+    return place->second;
+}
+
 Lights::Source Lights::delta_source(const PhysicalLight& light,
                                     std::vector<std::string>& problems) {
-    const SphericalImage* image = nullptr;
-    std::uint32_t index = 0;
-    if (const std::string* const file = image_file(light)) {
-        index = static_cast<std::uint32_t>(images_.size());
-        image = &images_.emplace_back(*file, problems);
-    }
+    const std::string* const file = image_file(light);
+    const std::uint32_t index = file ? image_number(*file, problems) : 0;
+    const SphericalImage* const image = file ? &images_[index] : nullptr;
     return {&light, index, delta_light_power(light, image, scene_radius_)};
 }
 

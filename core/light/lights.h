@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -100,6 +101,7 @@ class Lights {
     Source infinite_source(const PhysicalLight& light, std::vector<std::string>& problems,
                            SkySampling sky_sampling);
     Source delta_source(const PhysicalLight& light, std::vector<std::string>& problems);
+    std::uint32_t image_number(const std::string& file, std::vector<std::string>& problems);
     bool add_half(const PhysicalLight& light);
     LightSample sample_delta(const Source& source, const Vec3& from) const;
     double importance(const Source& source, const Receiver& at) const;
@@ -114,7 +116,8 @@ class Lights {
     std::vector<std::uint32_t> numbers_;
     std::vector<AreaLight> area_lights_;
     std::vector<InfiniteLight> infinite_lights_;
-    std::vector<SphericalImage> images_;
+    std::vector<SphericalImage> images_;                  ///< of goniometric lights and projectors
+    std::map<std::string, std::uint32_t> image_numbers_;  ///< by file
     std::vector<std::uint32_t> infinite_;
     std::optional<LightTree> tree_;            ///< if there are too many lights to compare all
     std::vector<std::uint32_t> far_;           ///< lights at infinity, if there is a tree

@@ -277,3 +277,16 @@ TEST_CASE("A goniometric light's rows are the angles from its y, its columns tho
         }
     }
 }
+
+TEST_CASE("Lights: given several of the same image, then it is read once", "[light]") {
+    Scene scene;
+    scene.look = PhysicalLook{};
+    for (const char* const file : {"none.png", "other.png", "none.png"}) {
+        scene.physical().lights.emplace_back(GoniometricSource{Vec3(0), Color(1), file, {}});
+        scene.physical().lights.emplace_back(ProjectionSource{Vec3(0), Color(1), file, {}, 1});
+    }
+    std::vector<std::string> problems;
+    const Lights lights(scene, problems);
+    CHECK(lights.size() == 6);
+    CHECK(problems.size() == 2);
+}
