@@ -147,3 +147,20 @@ TEST_CASE("textures are sRGB by their extension in any case, unless gamma says")
         CHECK(decodes(file, "\"bool gamma\" \"true\""));
     }
 }
+
+TEST_CASE("Textures: given the same file, wrapping, decoding and scale, then they share an image") {
+    const std::string texture = "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" ";
+    std::string world;
+    for (const char* const more :
+         {"\"a.png\"", "\"a.png\" \"float scale\" 2", "\"a.png\" \"string wrap\" \"clamp\"",
+          "\"b.png\"", "\"a.png\" \"bool gamma\" \"false\"", "\"a.png\" \"float uscale\" 3",
+          "\"b.png\""}) {
+        world += texture + more + "\nMaterial \"matte\" \"texture Kd\" \"t\" Shape \"sphere\"\n";
+    }
+    const LoadResult loaded = load_scene_text("WorldBegin\n" + world + "WorldEnd\n", "a.pbrt");
+    const Textures& textures = loaded.scene.value().physical().textures;
+    CHECK(textures.images.size() == 5);
+    std::vector<std::uint32_t> numbers;
+    for (const auto& t : textures.colors) numbers.push_back(std::get<ImageTexture<Color>>(t).image);
+    CHECK(numbers == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 0, 3});
+}

@@ -3,7 +3,10 @@
 
 #include <fmt/core.h>
 
+#include <map>
 #include <optional>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -34,6 +37,8 @@ struct SceneBuilder {
     BsdfFiles bsdf_files{};
     DiagnosticList log{};                          ///< diagnostics of building
     std::vector<std::uint32_t> texture_numbers{};  ///< of the frame's textures, within their kind
+    /// Numbers of the images of textures, by file, wrapping, decoding and scale.
+    std::map<std::tuple<std::string, Wrap, bool, float>, std::uint32_t> image_numbers{};
 
     Scene& scene() { return *result.scene; }
     PhysicalLook& look() { return result.scene->physical(); }

@@ -142,20 +142,23 @@ bool is_display_format(const std::string& file) {
     return ends_with_any_case(file, ".png") || ends_with_any_case(file, ".tga");
 }
 
+/// Returns the number of an image. Textures of the same file and values share it.
+std::uint32_t image_number(SceneBuilder& b, const TextureImage& image) {
+    auto& images = b.look().textures.images;
+    const auto next = static_cast<std::uint32_t>(images.size());
+    const auto [place, is_new] =
+        b.image_numbers.try_emplace({image.file, image.wrap, image.decode_srgb, image.scale}, next);
+    if (is_new) images.push_back(image);
+    return place->second;
+}
+
 template <class T>
 etalon::Texture<T> image_map(SceneBuilder& b, const pbrt::Texture& t) {
     const Parameters& p = t.plugin.parameters;
     const std::string file(p.string("filename"));
     const bool decode = p.is_given("gamma") ? p.flag("gamma") : is_display_format(file);
-    auto& images = b.look().textures.images;
-    const TextureImage image{file, wrap(p.string("wrap")), decode, p.number("scale")};
-    const auto same = [&](const TextureImage& other) {
-        return other.file == image.file && other.wrap == image.wrap &&
-               other.decode_srgb == image.decode_srgb && other.scale == image.scale;
-    };
-    const auto found = std::ranges::find_if(images, same);
-    const auto number = static_cast<std::uint32_t>(found - images.begin());
-    if (found == images.end()) images.push_back(image);
+    const std::uint32_t number =
+        image_number(b, {file, wrap(p.string("wrap")), decode, p.number("scale")});
     b.name_image(file, t.plugin.where, "grey");
     return ImageTexture<T>{mapping(b, t), number};
 }
