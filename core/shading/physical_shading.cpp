@@ -32,6 +32,7 @@ PhysicalShading::PhysicalShading(const Scene& scene, std::vector<std::string>& p
       textures_(scene.physical().textures, problems),
       tables_(scene.physical().materials),
       has_null_materials_(std::ranges::any_of(scene.physical().materials, is_none)) {
+    traits_.reserve(scene.physical().materials.size());
     for (const PhysicalMaterial& m : scene.physical().materials) traits_.push_back(traits_of(m));
 }
 
@@ -42,8 +43,10 @@ PhysicalShading::Traits PhysicalShading::traits_of(const PhysicalMaterial& mater
                                std::ranges::any_of(traits.lobes->span(), is_anisotropic);
     const PhysicalMaterial& below = shape_giving(material, all);
     traits.may_scatter_below = may_scatter_below(below);
-    if (traits.may_scatter_below)
-        traits.subsurface = constant_subsurface(below, tables_, textures_);
+    if (traits.may_scatter_below) {
+        const auto constant = constant_subsurface(below, tables_, textures_);
+        if (constant) traits.subsurface = std::make_unique<const Subsurface>(*constant);
+    }
     return traits;
 }
 

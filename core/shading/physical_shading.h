@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,13 +37,13 @@ class PhysicalShading {
     const Subsurface* subsurface(const PhysicalSurface& at, LazyStorage<Subsurface>& room) const {
         const Traits& traits = traits_[at.binding->material];
         if (!traits.may_scatter_below) return nullptr;
-        return traits.subsurface ? &*traits.subsurface : textured_subsurface(at, room);
+        return traits.subsurface ? traits.subsurface.get() : textured_subsurface(at, room);
     }
 
     /// Returns whether subsurface() of the material is the same at all points; then the pointer
     /// stays valid.
     bool has_constant_subsurface(const PhysicalSurface& at) const {
-        return traits_[at.binding->material].subsurface.has_value();
+        return traits_[at.binding->material].subsurface != nullptr;
     }
 
     /// Returns the number of the material whose surfaces bound the medium below a surface: for a
@@ -55,7 +57,8 @@ class PhysicalShading {
         bool needs_coordinates;
         bool is_bumpy;
         bool may_scatter_below = false;
-        std::optional<Subsurface> subsurface{};  ///< if the same everywhere
+        /// If the same everywhere. Not in place: it is larger than all the rest, and rare.
+        std::unique_ptr<const Subsurface> subsurface{};
     };
     Traits traits_of(const PhysicalMaterial& material) const;
     MaterialPoint material_point(const PhysicalSurface& at) const;

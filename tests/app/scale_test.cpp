@@ -93,6 +93,8 @@ TEST_CASE("a mesh takes at most twice its data and 66 bytes a triangle", "[app][
     }
 }
 
+#ifndef ETALON_SANITIZED  // whose own memory counts
+
 TEST_CASE("samples of all lights at many vertices take little memory at a time", "[app]") {
     const Folder f;
     f.write("lights.pbrt",
@@ -104,3 +106,23 @@ TEST_CASE("samples of all lights at many vertices take little memory at a time",
     CHECK(r.status == 0);
     CHECK(r.peak_bytes < 200'000'000);
 }
+
+TEST_CASE("a material of a PBRT scene takes at most 2000 bytes, its statements included", "[app]") {
+    constexpr int count = 50'000;
+    const Folder f;
+    const auto scene = [&](const std::string& name, int materials) {
+        std::string text = "LookAt 0 0 -5  0 0 0  0 1 0 Camera \"perspective\" WorldBegin\n";
+        for (int i = 0; i < materials; ++i) {
+            text +=
+                "Material \"matte\" \"float sigma\" " + std::to_string(i) + " Shape \"sphere\"\n";
+        }
+        f.write(name, text + "WorldEnd\n");
+    };
+    scene("one.pbrt", 1);
+    scene("many.pbrt", count);
+    const double one = memory_of(f, "one.pbrt", "bvh")["peak_rss"],
+                 many = memory_of(f, "many.pbrt", "bvh")["peak_rss"];
+    CHECK(many - one <= 2000.0 * count);
+}
+
+#endif
