@@ -74,6 +74,15 @@ function(etalon_install_package)
     USE_SOURCE_PERMISSIONS)
   install(FILES README.md SECURITY.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/etalon
     COMPONENT programs)
-  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/etalon RENAME copyright
-    COMPONENT programs)
+  # Debian requires one of each package.
+  foreach(package programs:etalon mpi:etalon-mpi development:libetalon-dev)
+    string(REPLACE ":" ";" package ${package})
+    list(GET package 0 component)
+    list(GET package 1 name)
+    if(component STREQUAL mpi AND NOT TARGET etalon_mpi)
+      continue()
+    endif()
+    install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} RENAME copyright
+      COMPONENT ${component})
+  endforeach()
 endfunction()

@@ -2,6 +2,8 @@
 # installed_package.sh SOURCE BINARY|PREFIX COMPILER: whether a project finds the installed Etalon, and its
 # backend and its loader work in the commands of Etalon.
 source "$(dirname "$0")/installed.sh"
+
+[[ -s $prefix/share/doc/libetalon-dev/copyright ]] || fail "libetalon-dev has no copyright file"
 compiler=$3
 
 # Every header that an installed one includes by its path must be installed too.
