@@ -20,13 +20,6 @@ constexpr double gamma(int n) {
     return n * unit_roundoff / (1 - n * unit_roundoff);
 }
 
-/// Returns the next larger float; x must not be NaN nor infinity.
-inline float next_above(float x) {
-    if (x == 0) return std::numeric_limits<float>::denorm_min();
-    const auto bits = std::bit_cast<std::int32_t>(x);
-    return std::bit_cast<float>(bits + (x > 0 ? 1 : -1));
-}
-
 /// Returns the neighbour of a double on the side to which `direction`, which is not zero, points;
 /// infinities and NaN are returned as they are. The same as std::nextafter(), which is a library
 /// call.
