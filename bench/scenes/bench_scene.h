@@ -14,8 +14,8 @@ namespace etalon::bench {
 /// family of bench/scenes/bench_families.h, or the path of a file.
 std::string check_scene_name(const std::string& name);
 
-/// Joins the words of a list that was split at all commas where only together they are the path of a
-/// file.
+/// Joins the words of a list that was split at all commas where only together they are the path of
+/// a file.
 std::vector<std::string> joined_scene_names(const std::vector<std::string>& words);
 
 struct NamedScene {

@@ -302,7 +302,7 @@ TEST_CASE("A resumed rendering that ends at once has the error of what it resume
     REQUIRE(f.etalon("render ball.p3f --spp 4 -q -o b.exr").status == 0);
     const std::string command =
         "render ball.p3f --spp 100000 -t 1 -o a.exr --checkpoint state --reference b.exr ";
-    REQUIRE(f.etalon(command + "--time-limit 0.3 -q").status == 0);
+    REQUIRE(f.etalon(command + "--time-limit 2 -q").status == 0);
     const auto r = f.etalon(command + "--time-limit 1e-9 --resume --stats s.json");
     CHECK(r.status == 0);
     CHECK_THAT(r.err, ContainsSubstring(" from b.exr"));
