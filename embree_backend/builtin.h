@@ -49,7 +49,7 @@ class EmbreeBuiltin final : public Intersector {
     void attach_instance(std::uint32_t item, const Affine& map);
 
     SceneDevice device_;
-    float margin_ = 0;  ///< by which rays are shortened: see margin_among()
+    float margin_ = 0;                      ///< by which rays are shortened: see margin_among()
     std::vector<PrimitiveIds> ids_;         ///< for each geometry of Embree's own shapes
     std::vector<std::uint32_t> instances_;  ///< items that are Embree's own instances
     UserPrimitives others_;
