@@ -1,5 +1,8 @@
 #include "core/tessellate/loop_subdivision.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
 
 #include "core/tessellate/loop_rules.h"
@@ -11,6 +14,13 @@ constexpr std::uint32_t none = HalfEdges::none;
 
 /// Largest number of triangles: more would exceed most machines' memory, at some 100 bytes each.
 constexpr std::size_t most_triangles = 50'000'000;
+
+/// Returns the largest number of triangles made of `count`. A small file needs little memory: five
+/// levels are allowed, and more as long as they make no more than a million.
+std::size_t most_triangles_of(std::size_t count) {
+    constexpr std::size_t million = 1 << 20, five_levels = 1 << 10;
+    return std::min(std::max(million, five_levels * count), most_triangles);
+}
 
 std::size_t triangles_after(std::size_t count, int levels) {
     for (; levels > 0 && count <= most_triangles; --levels) count *= 4;
@@ -127,8 +137,10 @@ Result<SmoothMesh> loop_subdivision(std::span<const Vec3> points,
                                     std::span<const std::uint32_t> corners, int levels) {
     Result<HalfEdges> sides = make_half_edges(corners, points.size());
     if (!sides) return {{}, sides.error};
-    if (triangles_after(corners.size() / 3, levels) > most_triangles) {
-        return {{}, "more than 50 million triangles after so many levels"};
+    const std::size_t count = corners.size() / 3, most = most_triangles_of(count);
+    if (triangles_after(count, levels) > most) {
+        return {{},
+                fmt::format("{} levels make more than {} triangles of {}", levels, most, count)};
     }
     if (corners.empty()) levels = 0;
     LoopMesh mesh{std::move(sides.value), {points.begin(), points.end()}, {}};

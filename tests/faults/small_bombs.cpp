@@ -259,6 +259,10 @@ std::vector<SmallBomb> of_counts() {
          "accel grid\n" +
              p3f("s 0 0 0 1e-30\ns 1 1 1 1e-30\ns 1e30 0 0 1e29\nbox -1e30 -1 -1 1e30 1 1")},
         pbrt(
+            "a triangle subdivided twelve times", "",
+            "Shape \"loopsubdiv\" \"integer nlevels\" 12 \"point P\" [0 0 0 1 0 0 0 1 0] \"integer "
+            "indices\" [0 1 2]"),
+        pbrt(
             "a mesh subdivided thirty times", "",
             "Shape \"loopsubdiv\" \"integer nlevels\" 30 \"point P\" [0 0 0 1 0 0 0 1 0] \"integer "
             "indices\" [0 1 2]"),

@@ -242,10 +242,10 @@ TEST_CASE("a control mesh that is no surface is an error that says where") {
           "triangles 0 and 1 face opposite sides at their common edge");
 }
 
-TEST_CASE("more triangles than memory is likely to hold are an error") {
-    CHECK(error_of(octahedron, 12) == "more than 50 million triangles after so many levels");
+TEST_CASE("more triangles than a few control points are worth are an error") {
+    CHECK(error_of(octahedron, 9) == "9 levels make more than 1048576 triangles of 8");
     CHECK(error_of(octahedron, 2147483647) ==
-          "more than 50 million triangles after so many levels");
+          "2147483647 levels make more than 1048576 triangles of 8");
 }
 
 TEST_CASE("triangles of chance give an error or a mesh of points that there are") {
