@@ -108,7 +108,7 @@ TEST_CASE("what OpenImageIO reads wrong is refused") {
     put(folder / "p.webp", text_of(webp));
     CHECK_THAT(read_image(folder / "p.webp").error,
                ContainsSubstring("a WebP with alpha is not supported"));
-    put(folder / "p.pfm", "PF\r\n1 1\r\n-1.0\r\n" + std::string(12, 'x'));
+    put(folder / "p.pfm", "PF\r\n1 1\r\n-1.0\r\nxxxxxxxxxxxx");
     CHECK_THAT(read_image(folder / "p.pfm").error, ContainsSubstring("the PFM is damaged"));
 }
 

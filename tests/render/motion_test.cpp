@@ -22,6 +22,13 @@ const std::string leaving_square =
     "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
     "\"point P\" [-1 -1 0 1 -1 0 1 1 0 -1 1 0]";
 
+/// Returns a moving camera where its transform is `to_world`, at rest.
+Camera still_at(const Affine& to_world, Camera camera) {
+    camera.projective->motion.reset();
+    camera.projective->to_world = to_world;
+    return camera;
+}
+
 double mean_of(const TestScene& scene) {
     double sum = 0;
     const std::vector<Color> pixels = image(scene);
@@ -142,9 +149,7 @@ TEST_CASE("A camera that moves makes the rays of one that stands where it is", "
         REQUIRE((moving.motion && scene.camera.sees_motion));
         const CameraRays rays(scene.camera, {8, 8});
         for (const double part : {0.0, 0.25, 0.9}) {
-            Camera still = scene.camera;
-            still.projective->motion.reset();
-            still.projective->to_world = moving.motion->at(shutter_time(part));
+            const Camera still = still_at(moving.motion->at(shutter_time(part)), scene.camera);
             const Ray expected = CameraRays(still, {8, 8}).ray({1.5, 6}, {0.3, 0.8});
             const Ray ray = rays.ray({1.5, 6}, {0.3, 0.8}, shutter_time(part));
             CHECK((ray.origin == expected.origin && ray.direction == expected.direction));

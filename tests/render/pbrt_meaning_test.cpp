@@ -1,5 +1,7 @@
 // What statements of PBRT mean where pbrt-v3's source decides it, by small scenes whose images are
 // known.
+#include <fmt/format.h>
+
 #include <numbers>
 
 #include "tests/catch.h"
@@ -144,7 +146,7 @@ TEST_CASE("A filter has the two widths and the shape that are given", "[pbrt]") 
     const std::string widths = " \"float xwidth\" 1.5 \"float ywidth\" 2.5 ";
     for (const FilterType& type : filter_list) {
         INFO(type.name);
-        const PixelFilter f = filter("\"" + std::string(type.name) + "\"" + widths);
+        const PixelFilter f = filter(fmt::format("\"{}\"{}", type.name, widths));
         CHECK(f.kind == type.kind);
         CHECK(f.radius == Vec2(1.5, 2.5));
     }

@@ -56,7 +56,6 @@ class RevolvedFastPath {
     /// Moves the start near the surface, with errors of start and direction.
     void advance() {
         const Vec3 &w = line_.w, &d = line_.d;
-        const Profile& profile = surface_.profile;
         const double towards = -(w.x * d.x + w.y * d.y + (w.z - height_to_start_at()) * d.z);
         start_ = std::max(0.0, towards / d.dot(d));
         if (!(start_ < infinity)) start_ = 0;
