@@ -36,8 +36,8 @@ double radius_of(const std::string& text) {
 }  // namespace
 
 std::vector<std::string> filter_names() {
-    std::vector<std::string> names;
-    for (const FilterType& type : filter_list) names.emplace_back(type.name);
+    std::vector<std::string> names(filter_list.size());
+    std::ranges::transform(filter_list, names.begin(), &FilterType::name);
     return names;
 }
 
@@ -53,8 +53,8 @@ std::string filter_help() {
 std::string check_filter(const std::string& text) {
     const FilterText parts(text);
     if (!find_filter(parts.name)) {
-        std::vector<std::string_view> names;
-        for (const FilterType& type : filter_list) names.push_back(type.name);
+        const std::vector<std::string> all = filter_names();
+        const std::vector<std::string_view> names(all.begin(), all.end());
         return fmt::format("{}: expected one of {}{}", text, fmt::join(names, ", "),
                            did_you_mean(parts.name, names));
     }
