@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/numerics/median.h"
 #include "core/numerics/rounding.h"
 #include "embree_backend/float_geometry.h"
 #include "embree_backend/query.h"
@@ -20,9 +21,7 @@ float typical_instance(const Geometry& geometry, const std::vector<BoundedPrimit
         sizes.push_back(std::max({edges.x, edges.y, edges.z}));
     }
     if (sizes.empty()) return 2;
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::ranges::nth_element(sizes, middle);
-    return *middle;
+    return median_of(std::move(sizes));
 }
 
 /// Returns by how much a ray whose origin is o is shortened at each end, as a fraction of 1 + |o|.
@@ -30,10 +29,12 @@ float typical_instance(const Geometry& geometry, const std::vector<BoundedPrimit
 /// seen), so a ray that leaves it at an angle meets it again before t = u (1 + |o|) / cosine, and
 /// one that ends before it may meet it, as shadow rays do at a light. 128 u clears all rays except
 /// those within 1/128 of tangent, and loses contacts nearer than 1e-5 to 2e-4 of the half size.
-/// Slivers are off by more. Among instances so small that most would be lost, it is less.
+/// Slivers are off by more. Among instances so small that most would be lost it is less, but so
+/// that contacts nearer than a sixteenth of their size are: with less, walls around them, which are
+/// off by u (1 + |o|) as ever, are met again.
 float margin_among(float instances) {
     constexpr float u = unit_roundoff_f;
-    return std::clamp(instances / 256, u, 128 * u);
+    return std::clamp(instances / 16, u, 128 * u);
 }
 
 /// The ends of a ray in normalized space.

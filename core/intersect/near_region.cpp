@@ -1,9 +1,9 @@
 #include "core/intersect/near_region.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "core/intersect/kernels.h"
+#include "core/numerics/median.h"
 
 namespace etalon {
 namespace {
@@ -17,12 +17,6 @@ Vec3 point_of(const Geometry& geometry, std::uint32_t item) {
     }
     const Box3 box = whole_bounds(geometry, item);
     return box.isEmpty() ? Vec3(nan_value) : 0.5 * box.min + 0.5 * box.max;
-}
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
 }
 
 }  // namespace
