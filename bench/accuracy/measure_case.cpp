@@ -8,16 +8,14 @@
 #include "app/common/backends.h"
 #include "bench/accuracy/spawned_rays.h"
 #include "bench/accuracy/timed_tracers.h"
+#include "core/numerics/median.h"
 #include "core/parallel/parallel.h"
 
 namespace etalon::accuracy {
 namespace {
 
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+double median(const std::vector<double>& values) {
+    return values.empty() ? 0 : median_of(values);
 }
 
 /// The seed is a hash of the row's name, so that rows can be added and removed without changing the
@@ -150,7 +148,7 @@ class Measurement {
         double unit = 0;  // unit of cost: the time of the first textbook kernel
         for (std::size_t k = 0; k < tracers_.size(); ++k) {
             const TracerEntry& e = tracers_[k];
-            const double ns = median(std::move(results_[k].nanoseconds));
+            const double ns = median(results_[k].nanoseconds);
             if (unit == 0 && !e.refined) unit = ns;
             rows.push_back({case_.id, case_.variant, case_.shape,
                             criteria[static_cast<int>(case_.criterion)], e.tracer->name(), e.exact,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/common/joined_words.h"
+
 namespace etalon::hard {
 namespace {
 
@@ -15,27 +17,13 @@ bool is_any(const std::vector<HardCase>& cases, const std::string& name) {
     return std::ranges::any_of(cases, [&](const HardCase& c) { return is_named(c, name); });
 }
 
-/// Joins the words that are one name.
-std::vector<std::string> joined_names(const std::vector<std::string>& words,
-                                      const std::vector<HardCase>& cases) {
-    std::vector<std::string> names;
-    for (const std::string& word : words) {
-        const std::string longer = names.empty() ? "" : names.back() + ',' + word;
-        if (is_any(cases, longer)) {
-            names.back() = longer;
-        } else {
-            names.push_back(word);
-        }
-    }
-    return names;
-}
-
 }  // namespace
 
 Result<std::vector<HardCase>> cases_named(const std::vector<std::string>& words) {
     std::vector<HardCase> cases = hard_cases();
     if (words.empty()) return {std::move(cases), {}};
-    const std::vector<std::string> names = joined_names(words, cases);
+    const std::vector<std::string> names =
+        joined_words(words, [&](const std::string& name) { return is_any(cases, name); });
     for (const std::string& name : names) {
         if (!is_any(cases, name))
             return {{}, name + ": no case of that name; --list shows them all"};

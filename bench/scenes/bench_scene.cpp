@@ -73,22 +73,6 @@ std::string check_scene_name(const std::string& name) {
     return fmt::format("{}: no such scene: expected {}or a scene file", name, names_of_families());
 }
 
-std::vector<std::string> joined_scene_names(const std::vector<std::string>& words) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        std::string name = words[i];
-        std::size_t last = i;
-        for (std::size_t k = i + 1; k < words.size() && !check_scene_name(name).empty(); ++k) {
-            name += ',' + words[k];
-            last = k;
-        }
-        const bool is_scene = check_scene_name(name).empty();
-        names.push_back(is_scene ? name : words[i]);
-        if (is_scene) i = last;
-    }
-    return names;
-}
-
 NamedScene bench_scene(const std::string& name) {
     const std::string error = check_scene_name(name);
     if (!error.empty()) return {std::nullopt, {}, "error: " + error + "\n"};

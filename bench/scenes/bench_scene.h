@@ -14,10 +14,6 @@ namespace etalon::bench {
 /// family of bench/scenes/bench_families.h, or the path of a file.
 std::string check_scene_name(const std::string& name);
 
-/// Joins the words of a list that was split at all commas where only together they are the path of
-/// a file.
-std::vector<std::string> joined_scene_names(const std::vector<std::string>& words);
-
 struct NamedScene {
     std::optional<Scene> scene;        ///< nothing if there is no such scene
     RenderSettings settings;           ///< settings for rendering it

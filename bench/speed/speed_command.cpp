@@ -9,6 +9,7 @@
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/fail.h"
+#include "app/common/joined_words.h"
 #include "app/common/output.h"
 #include "app/common/progress_line.h"
 #include "app/common/signals.h"
@@ -229,7 +230,9 @@ Action declare_speed(Options& options) {
     declare_what(options, *a);
     declare_how(options, *a);
     return [a] {
-        a->scenes = bench::joined_scene_names(a->scenes);
+        a->scenes = joined_words(a->scenes, [](const std::string& name) {
+            return bench::check_scene_name(name).empty();
+        });
         return measure_speed(*a);
     };
 }
