@@ -258,17 +258,20 @@ std::vector<SmallBomb> of_counts() {
         {"spheres of all sizes in a grid", "p3f",
          "accel grid\n" +
              p3f("s 0 0 0 1e-30\ns 1 1 1 1e-30\ns 1e30 0 0 1e29\nbox -1e30 -1 -1 1e30 1 1")},
-        pbrt(
-            "a triangle subdivided twelve times", "",
-            "Shape \"loopsubdiv\" \"integer nlevels\" 12 \"point P\" [0 0 0 1 0 0 0 1 0] \"integer "
-            "indices\" [0 1 2]"),
-        pbrt(
-            "a mesh subdivided thirty times", "",
-            "Shape \"loopsubdiv\" \"integer nlevels\" 30 \"point P\" [0 0 0 1 0 0 0 1 0] \"integer "
-            "indices\" [0 1 2]"),
-        pbrt("a mesh subdivided a billion times", "",
-             "Shape \"loopsubdiv\" \"integer nlevels\" 2000000000 \"point P\" [0 0 0 1 0 0 0 1 0] "
-             "\"integer indices\" [0 1 2]"),
+    };
+}
+
+SmallBomb subdivided(const std::string& times, const std::string& levels) {
+    return pbrt("a triangle subdivided " + times + " times", "",
+                "Shape \"loopsubdiv\" \"integer nlevels\" " + levels +
+                    " \"point P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2]");
+}
+
+std::vector<SmallBomb> of_counts_in_pbrt() {
+    return {
+        subdivided("twelve", "12"),
+        subdivided("thirty", "30"),
+        subdivided("two billion", "2000000000"),
         pbrt("a heightfield of billions", "",
              "Shape \"heightfield\" \"integer nu\" 100000 \"integer nv\" 100000 \"float Pz\" [0 1 "
              "2 3]"),
@@ -343,8 +346,8 @@ std::vector<SmallBomb> of_images() {
 
 std::vector<SmallBomb> small_bombs() {
     std::vector<SmallBomb> all;
-    for (const auto& some :
-         {of_pixels_and_samples(), of_paths(), of_nesting(), of_counts(), of_images()}) {
+    for (const auto& some : {of_pixels_and_samples(), of_paths(), of_nesting(), of_counts(),
+                             of_counts_in_pbrt(), of_images()}) {
         all.insert(all.end(), some.begin(), some.end());
     }
     return all;
