@@ -8,7 +8,7 @@ namespace {
 LookFacts facts_of(const WhittedLook& look) {
     LookFacts facts{look.materials.size()};
     for (const Light& light : look.lights) {
-        facts.count_light(std::holds_alternative<QuadLight>(light) ? "quad" : "point");
+        facts.count_lights(std::holds_alternative<QuadLight>(light) ? "quad" : "point", 1);
     }
     const Color& background = look.environment.background;
     facts.background = {background.x, background.y, background.z};
@@ -31,7 +31,10 @@ LookFacts facts_of(const PhysicalLook& look) {
     constexpr std::string_view kinds[] = {"point",   "spot",     "goniometric", "projection",
                                           "distant", "infinite", "area"};
     static_assert(std::size(kinds) == std::variant_size_v<PhysicalLight>);
-    for (const PhysicalLight& light : look.lights) facts.count_light(kinds[light.index()]);
+    for (const PhysicalLight& light : look.lights) {
+        const auto* const area = std::get_if<AreaSource>(&light);
+        facts.count_lights(kinds[light.index()], area ? area->count : 1);
+    }
     facts.need(facts.lights.contains("area"), "area light samples");
     facts.need(!look.textures.numbers.empty() || !look.textures.colors.empty(), "textures");
     facts.need(!look.textures.images.empty(), "images");
@@ -47,9 +50,9 @@ bool has_normals(const Geometry& geometry) {
 
 }  // namespace
 
-void LookFacts::count_light(std::string_view kind) {
+void LookFacts::count_lights(std::string_view kind, std::uint32_t more) {
     nlohmann::ordered_json& count = lights[std::string(kind)];
-    count = count.is_null() ? 1 : count.get<int>() + 1;
+    count = count.is_null() ? more : count.get<std::uint32_t>() + more;
 }
 
 LookFacts facts_of(const Scene& s, const RenderSettings& settings) {

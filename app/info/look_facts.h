@@ -17,7 +17,7 @@ struct LookFacts {
     nlohmann::ordered_json background{}, skybox{};  ///< null if the look has none
     std::vector<std::string> needs{};               ///< "reflected rays", "lens samples", ...
 
-    void count_light(std::string_view kind);
+    void count_lights(std::string_view kind, std::uint32_t more);
     void need(bool condition, const char* what) {
         if (condition) needs.emplace_back(what);
     }

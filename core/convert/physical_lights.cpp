@@ -49,7 +49,6 @@ class LightMaker {
         SurfaceBinding binding;
         binding.material = static_cast<std::uint32_t>(to_.materials.size());
         binding.light = static_cast<std::uint32_t>(to_.lights.size());
-        binding.first = first;
         to_.materials.push_back({MatteMaterial{{black}, {0.0F}}});
         const std::uint32_t a = geometry_.add_vertex(l.corner);
         const std::uint32_t b = geometry_.add_vertex(l.corner + l.edge1);
@@ -59,9 +58,7 @@ class LightMaker {
         geometry_.add(Triangle{{a, b, c}}, number);
         geometry_.add(Triangle{{a, c, d}}, number);
         to_.bindings.push_back(binding);
-        for (std::uint32_t k = 0; k < 2; ++k) {
-            to_.lights.emplace_back(AreaSource{first + k, radiance, true});
-        }
+        to_.lights.emplace_back(AreaSource{first, 2, radiance, true});
     }
 
     const Camera& camera_;

@@ -41,11 +41,11 @@ Vec3 front(const Geometry& geometry, const Primitive& primitive, const SurfaceBi
 
 }  // namespace
 
-void AreaLight::join(const AreaShape& both, const Box3& other_half) {
+void AreaLight::join(const AreaShape& both) {
     exitance *= area_of(both) / area_of(shape);
     shape = both;
     bounds = bounds_of(both);
-    box.extendBy(other_half);
+    is_joined = true;
 }
 
 bool AreaLight::shines(const Vec3& normal, const Vec3& ray) const {
@@ -65,31 +65,36 @@ double AreaLight::facing(const Vec3& back) const {
     return flat_front->dot(back) > 0 ? front : 0;
 }
 
-LightBounds AreaLight::light_bounds() const {
+LightBounds AreaLight::light_bounds(const Geometry& geometry) const {
+    Box3 box = primitive_bounds(geometry, primitive);
+    if (is_joined) box.extendBy(primitive_bounds(geometry, primitive + 1));
     const double sides = two_sided ? 2 : 1;
     if (flat_front) return {box, {*flat_front, 0, pi / 2, two_sided}, exitance / sides};
     // A sphere shows a quarter of its area.
     return {box, {{0, 0, 1}, pi, pi / 2, false}, exitance / (4 * sides)};
 }
 
-AreaLight area_light(const Scene& scene, const AreaSource& source) {
+AreaLight area_light(const Scene& scene, const AreaSource& source, std::uint32_t primitive) {
     const Geometry& geometry = scene.geometry;
-    const Primitive primitive = geometry.primitives[source.primitive];
-    const SurfaceBinding& binding = scene.physical().bindings[primitive.material];
-    const std::optional<AreaShape> own = area_shape(geometry, source.primitive);
+    const SurfaceBinding& binding =
+        scene.physical().bindings[geometry.primitives[primitive].material];
+    const std::optional<AreaShape> own = area_shape(geometry, primitive);
     const AreaShape shape = own.value_or(SphereArea(Sphere{Vec3(0), 1}));
     const double sides = source.two_sided ? 2 : 1;
     AreaLight light{shape,
                     source.radiance,
                     bounds_of(shape),
                     std::visit([](const auto& s) { return s.flat_normal(); }, shape),
+                    own ? area_of(shape) * strength(source.radiance) * sides : 0,
+                    primitive,
+                    false,
                     binding.flipped,
                     source.two_sided,
-                    binding.alpha.texture == no_index && binding.alpha.value == 0,
-                    own ? area_of(shape) * strength(source.radiance) * sides : 0,
-                    primitive_bounds(geometry, source.primitive)};
-    if (light.flat_front)
-        *light.flat_front = front(geometry, primitive, binding, *light.flat_front);
+                    binding.alpha.texture == no_index && binding.alpha.value == 0};
+    if (light.flat_front) {
+        const Primitive& p = geometry.primitives[primitive];
+        *light.flat_front = front(geometry, p, binding, *light.flat_front);
+    }
     return light;
 }
 

@@ -9,10 +9,10 @@
 
 namespace etalon {
 
-/// A light made by area_light().
+/// A light made by area_light(), kept small, as there may be millions.
 struct AreaLight {
-    /// Joins the other half of a quadrilateral to the light.
-    void join(const AreaShape& both, const Box3& other_half);
+    /// Joins the next primitive, the other half of a quadrilateral, to the light.
+    void join(const AreaShape& both);
 
     /// Returns whether the light shines back along a ray that hits it where it has the normal.
     bool shines(const Vec3& normal, const Vec3& ray) const;
@@ -24,18 +24,20 @@ struct AreaLight {
     /// is relative to the middle of the light.
     double facing(const Vec3& back) const;
 
-    LightBounds light_bounds() const;
+    LightBounds light_bounds(const Geometry& geometry) const;
 
     AreaShape shape;
     Color radiance;
     BoundingSphere bounds;           ///< about a point of its plane, if the light is flat
     std::optional<Vec3> flat_front;  ///< normal of the emitting side, if the light is flat
-    bool flipped, two_sided;
-    bool is_unseen;   ///< rays pass everywhere, so none can hit the light
     double exitance;  ///< area times luminance; 0 for a primitive of a kind that cannot be sampled
-    Box3 box;         ///< box of the shape
+    std::uint32_t primitive;
+    bool is_joined;  ///< with the next primitive
+    bool flipped, two_sided;
+    bool is_unseen;  ///< rays pass everywhere, so none can hit the light
 };
 
-AreaLight area_light(const Scene& scene, const AreaSource& source);
+/// Returns one of the primitives of `source` as a light.
+AreaLight area_light(const Scene& scene, const AreaSource& source, std::uint32_t primitive);
 
 }  // namespace etalon

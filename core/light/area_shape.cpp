@@ -1,5 +1,6 @@
 #include "core/light/area_shape.h"
 
+#include <array>
 #include <numbers>
 
 #include "core/intersect/shapes/triangle.h"
@@ -13,6 +14,13 @@ constexpr double pi = std::numbers::pi;
 Vec3 on_unit_sphere(const Vec2& uv) {
     const double z = 1 - 2 * uv.x, r = std::sqrt(std::max(0.0, 1 - z * z)), phi = 2 * pi * uv.y;
     return {r * std::cos(phi), r * std::sin(phi), z};
+}
+
+/// Returns the columns of the matrix that maps areas of the unit sphere to those of its image.
+std::array<Vec3, 3> cofactors_of(const Affine& map) {
+    const double outward = std::copysign(1.0, map.determinant());
+    return {outward * map.y.cross(map.z), outward * map.z.cross(map.x),
+            outward * map.x.cross(map.y)};
 }
 
 }  // namespace
@@ -79,21 +87,17 @@ double RingArea::pdf(const Vec3& from, const Vec3& position, const Vec3& normal)
     return per_steradian(1 / area_, from, position, normal);
 }
 
-EllipsoidArea::EllipsoidArea(const Affine& to_world)
-    : to_world_(to_world),
-      cofactors_{to_world.y.cross(to_world.z), to_world.z.cross(to_world.x),
-                 to_world.x.cross(to_world.y)} {
-    const double outward = std::copysign(1.0, to_world.determinant());
-    for (Vec3& column : cofactors_) column *= outward;
+EllipsoidArea::EllipsoidArea(const Affine& to_world) : to_world_(to_world) {
     // Thomsen's formula, good to 1.1 %, which suffices for powers.
     constexpr double p = 1.6075;
-    const double ab = std::pow(cofactors_[0].length(), p), bc = std::pow(cofactors_[1].length(), p),
-                 ca = std::pow(cofactors_[2].length(), p);
-    area_ = 4 * pi * std::pow((ab + bc + ca) / 3, 1 / p);
+    double sum = 0;
+    for (const Vec3& column : cofactors_of(to_world)) sum += std::pow(column.length(), p);
+    area_ = 4 * pi * std::pow(sum / 3, 1 / p);
 }
 
 Vec3 EllipsoidArea::stretched_normal(const Vec3& unit) const {
-    return unit.x * cofactors_[0] + unit.y * cofactors_[1] + unit.z * cofactors_[2];
+    const auto [x, y, z] = cofactors_of(to_world_);
+    return unit.x * x + unit.y * y + unit.z * z;
 }
 
 AreaPoint EllipsoidArea::sample(const Vec3& from, const Vec2& uv) const {

@@ -58,10 +58,10 @@ class EllipsoidArea {
     std::optional<Vec3> flat_normal() const { return std::nullopt; }
 
   private:
+    /// Returns the normal times the factor by which the map stretches areas at a point.
     Vec3 stretched_normal(const Vec3& unit) const;
 
     Affine to_world_;
-    Vec3 cofactors_[3];  ///< columns of the matrix that maps areas of the sphere to the image
     double area_;
 };
 

@@ -48,6 +48,7 @@ const std::string* image_file(const PhysicalLight& light) {
 
 Lights::Lights(const Scene& scene, std::vector<std::string>& problems, SkySampling sky_sampling)
     : scene_(scene), scene_radius_(etalon::scene_radius(scene.geometry)) {
+    reserve_areas();
     for (const PhysicalLight& light : scene.physical().lights) add(light, problems, sky_sampling);
     double point_power = 0;
     for (const Source& source : sources_) {
@@ -76,38 +77,56 @@ void Lights::make_tree() {
 /// Returns the bounds of a light at a finite distance.
 LightBounds Lights::bounds_of(const Source& source) const {
     if (std::holds_alternative<AreaSource>(*source.light)) {
-        return area_lights_[source.index].light_bounds();
+        return area_lights_[source.index].light_bounds(scene_.geometry);
     }
     return std::visit(PointBounds{}, *source.light);
 }
 
-/// Joins the light and the previous one to a quadrilateral, if they form one.
-bool Lights::add_half(const PhysicalLight& light) {
-    const auto* const half = std::get_if<AreaSource>(&light);
-    const auto* const other =
-        sources_.empty() ? nullptr : std::get_if<AreaSource>(sources_.back().light);
-    if (!half || !other || half->primitive != other->primitive + 1 ||
-        half->radiance != other->radiance || half->two_sided != other->two_sided) {
-        return false;
+/// Takes the memory that all area lights may need, as growing lists would be copied several times.
+void Lights::reserve_areas() {
+    std::size_t primitives = 0;
+    for (const PhysicalLight& light : scene_.physical().lights) {
+        if (const auto* const area = std::get_if<AreaSource>(&light)) primitives += area->count;
     }
-    AreaLight& last = area_lights_.back();
-    const auto both = quadrilateral(scene_.geometry, other->primitive);
-    if (!both || !std::holds_alternative<TriangleArea>(last.shape)) return false;
-    last.join(*both, primitive_bounds(scene_.geometry, half->primitive));
-    sources_.back().power = pi * last.exitance;
-    return true;
+    sources_.reserve(primitives);
+    area_lights_.reserve(primitives);
+    numbers_.reserve(primitives);
 }
 
 void Lights::add(const PhysicalLight& light, std::vector<std::string>& problems,
                  SkySampling sky_sampling) {
+    number_offsets_.push_back(0);
     if (std::holds_alternative<InfiniteSource>(light)) {
         sources_.push_back(infinite_source(light, problems, sky_sampling));
     } else if (!std::holds_alternative<AreaSource>(light)) {
         sources_.push_back(delta_source(light, problems));
-    } else if (!add_half(light)) {
-        sources_.push_back(area_source(light));
+    } else {
+        add_areas(light);
     }
-    numbers_.push_back(static_cast<std::uint32_t>(sources_.size() - 1));
+}
+
+void Lights::add_areas(const PhysicalLight& light) {
+    const auto& [first, count, radiance, two_sided, samples] = std::get<AreaSource>(light);
+    number_offsets_.back() = first - static_cast<std::uint32_t>(numbers_.size());
+    for (std::uint32_t primitive = first; primitive < first + count; ++primitive) {
+        if (primitive == first || !join_half(primitive)) {
+            sources_.push_back(area_source(light, primitive));
+        }
+        numbers_.push_back(static_cast<std::uint32_t>(sources_.size() - 1));
+    }
+}
+
+/// Joins a primitive to the light of the previous one, if they form a quadrilateral.
+bool Lights::join_half(std::uint32_t primitive) {
+    AreaLight& last = area_lights_.back();
+    if (last.primitive + 1 != primitive || !std::holds_alternative<TriangleArea>(last.shape)) {
+        return false;
+    }
+    const auto both = quadrilateral(scene_.geometry, last.primitive);
+    if (!both) return false;
+    last.join(*both);
+    sources_.back().power = pi * last.exitance;
+    return true;
 }
 
 /// Returns the number of a light's image. Lights of the same file share it.
@@ -138,10 +157,10 @@ Lights::Source Lights::infinite_source(const PhysicalLight& light,
     return {&light, index, power, source.samples};
 }
 
-Lights::Source Lights::area_source(const PhysicalLight& light) {
+Lights::Source Lights::area_source(const PhysicalLight& light, std::uint32_t primitive) {
     const auto& source = std::get<AreaSource>(light);
     const auto index = static_cast<std::uint32_t>(area_lights_.size());
-    const AreaLight& made = area_lights_.emplace_back(area_light(scene_, source));
+    const AreaLight& made = area_lights_.emplace_back(area_light(scene_, source, primitive));
     return {&light, index, pi * made.exitance, source.samples};
 }
 

@@ -35,8 +35,10 @@ class Lights {
     /// Returns the number of lights to pick from; the halves of a quadrilateral are one.
     std::size_t size() const { return sources_.size(); }
 
-    /// Returns the number, among those, of a light of the look.
-    std::uint32_t number_of(std::uint32_t light) const { return numbers_[light]; }
+    /// Returns the number, among those, of a primitive that is part of an area light of the look.
+    std::uint32_t number_of(std::uint32_t light, std::uint32_t primitive) const {
+        return numbers_[primitive - number_offsets_[light]];
+    }
 
     /// Picks a light by its unoccluded contribution to the point: if there are many, from a tree of
     /// bounds, beside which there are the lights at infinity. Nothing if none can shine there.
@@ -95,14 +97,16 @@ class Lights {
 
     static constexpr std::size_t most_by_importance = 16;
 
+    void reserve_areas();
     void add(const PhysicalLight& light, std::vector<std::string>& problems,
              SkySampling sky_sampling);
-    Source area_source(const PhysicalLight& light);
+    void add_areas(const PhysicalLight& light);
+    Source area_source(const PhysicalLight& light, std::uint32_t primitive);
     Source infinite_source(const PhysicalLight& light, std::vector<std::string>& problems,
                            SkySampling sky_sampling);
     Source delta_source(const PhysicalLight& light, std::vector<std::string>& problems);
     std::uint32_t image_number(const std::string& file, std::vector<std::string>& problems);
-    bool add_half(const PhysicalLight& light);
+    bool join_half(std::uint32_t primitive);
     LightSample sample_delta(const Source& source, const Vec3& from) const;
     double importance(const Source& source, const Receiver& at) const;
     LightBounds bounds_of(const Source& source) const;
@@ -113,7 +117,9 @@ class Lights {
     double scene_radius_;
     std::size_t samples_ = 0;
     std::vector<Source> sources_;
-    std::vector<std::uint32_t> numbers_;
+    std::vector<std::uint32_t> numbers_;  ///< of the primitives that are area lights
+    std::vector<std::uint32_t>
+        number_offsets_;  ///< by light; a primitive p has numbers_[p - offset]
     std::vector<AreaLight> area_lights_;
     std::vector<InfiniteLight> infinite_lights_;
     std::vector<SphericalImage> images_;                  ///< of goniometric lights and projectors

@@ -9,8 +9,8 @@ namespace {
 
 /// Returns whether a shape is so near for its size that sampling its solid angle instead of its
 /// area pays.
-bool is_near(const Vec3& from, const BoundingSphere& bounds, double area) {
-    return area > 0.1 * (bounds.centre - from).length2();
+bool is_near(const Vec3& from, const Vec3& centre, double area) {
+    return area > 0.1 * (centre - from).length2();
 }
 
 /// Returns whether the angles of spherical triangles of that solid angle are good to a few digits,
@@ -37,8 +37,12 @@ Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) {
     return (b - a).cross(c - a) / 2;
 }
 
+Vec3 centre_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return (a + b + c) / 3;
+}
+
 BoundingSphere bounds_of(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 centre = (a + b + c) / 3;
+    const Vec3 centre = centre_of(a, b, c);
     const double radius2 =
         std::max({(a - centre).length2(), (b - centre).length2(), (c - centre).length2()});
     return {centre, std::sqrt(radius2)};
@@ -70,15 +74,18 @@ bool takes_first(double& x, double share) {
 
 }  // namespace
 
-TriangleArea::TriangleArea(const Vec3& a, const Vec3& b, const Vec3& c)
-    : a_(a), b_(b), c_(c), bounds_(bounds_of(a, b, c)) {
+TriangleArea::TriangleArea(const Vec3& a, const Vec3& b, const Vec3& c) : a_(a), b_(b), c_(c) {
     const Vec3 area = area_vector(a, b, c);
     area_ = area.length();
     normal_ = area / area_;
 }
 
+BoundingSphere TriangleArea::bounds() const {
+    return bounds_of(a_, b_, c_);
+}
+
 AreaPoint TriangleArea::sample(const Vec3& from, const Vec2& uv) const {
-    if (is_near(from, bounds_, area_)) {
+    if (is_near(from, centre_of(a_, b_, c_), area_)) {
         const SphericalTriangle seen(from, a_, b_, c_);
         const double angle = seen.solid_angle();
         if (is_accurate(angle)) {
@@ -89,7 +96,7 @@ AreaPoint TriangleArea::sample(const Vec3& from, const Vec2& uv) const {
 }
 
 double TriangleArea::pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const {
-    if (is_near(from, bounds_, area_)) {
+    if (is_near(from, centre_of(a_, b_, c_), area_)) {
         const double angle = SphericalTriangle(from, a_, b_, c_).solid_angle();
         if (is_accurate(angle)) return 1 / angle;
     }
@@ -102,14 +109,21 @@ TwoTrianglesArea::TwoTrianglesArea(const Vec3& a, const Vec3& b, const Vec3& c, 
     first_area_ = first.length();
     area_ = first_area_ + area_vector(a, c, d).length();
     normal_ = first / first_area_;
-    const BoundingSphere p = bounds_of(a, b, c), q = bounds_of(a, c, d);
+}
+
+Vec3 TwoTrianglesArea::centre() const {
+    return (centre_of(a_, b_, c_) + centre_of(a_, c_, d_)) / 2;
+}
+
+BoundingSphere TwoTrianglesArea::bounds() const {
+    const BoundingSphere p = bounds_of(a_, b_, c_), q = bounds_of(a_, c_, d_);
     const double distance = (p.centre - q.centre).length();
-    bounds_ = {(p.centre + q.centre) / 2, distance / 2 + std::max(p.radius, q.radius)};
+    return {centre(), distance / 2 + std::max(p.radius, q.radius)};
 }
 
 AreaPoint TwoTrianglesArea::sample(const Vec3& from, const Vec2& uv) const {
     Vec2 place = uv;
-    if (is_near(from, bounds_, area_)) {
+    if (is_near(from, centre(), area_)) {
         const SeenPair seen(from, a_, b_, c_, d_);
         if (seen.is_accurate()) {
             const bool first = takes_first(place.x, seen.first_angle / seen.angle);
@@ -125,7 +139,7 @@ AreaPoint TwoTrianglesArea::sample(const Vec3& from, const Vec2& uv) const {
 }
 
 double TwoTrianglesArea::pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const {
-    if (is_near(from, bounds_, area_)) {
+    if (is_near(from, centre(), area_)) {
         const SeenPair seen(from, a_, b_, c_, d_);
         if (seen.is_accurate()) return 1 / seen.angle;
     }

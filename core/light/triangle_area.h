@@ -15,13 +15,12 @@ class TriangleArea {
     AreaPoint sample(const Vec3& from, const Vec2& uv) const;
     double pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const;
     double area() const { return area_; }
-    BoundingSphere bounds() const { return bounds_; }
+    BoundingSphere bounds() const;
     std::optional<Vec3> flat_normal() const { return normal_; }
 
   private:
     Vec3 a_, b_, c_, normal_;
     double area_;
-    BoundingSphere bounds_;
 };
 
 /// Two triangles a b c and a c d in one plane, sampled like one shape.
@@ -32,13 +31,14 @@ class TwoTrianglesArea {
     AreaPoint sample(const Vec3& from, const Vec2& uv) const;
     double pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const;
     double area() const { return area_; }
-    BoundingSphere bounds() const { return bounds_; }
+    BoundingSphere bounds() const;
     std::optional<Vec3> flat_normal() const { return normal_; }
 
   private:
+    Vec3 centre() const;
+
     Vec3 a_, b_, c_, d_, normal_;
     double first_area_, area_;
-    BoundingSphere bounds_;
 };
 
 }  // namespace etalon

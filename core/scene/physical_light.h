@@ -59,12 +59,14 @@ struct InfiniteSource {
     std::optional<Environment> skybox{};  ///< if set, it replaces all the above; of light
 };
 
-/// A primitive that emits light from its front, or from both sides.
+/// Consecutive primitives, those of one shape, that emit light from their fronts or from both
+/// sides. Each of them is sampled as a light of its own.
 struct AreaSource {
-    std::uint32_t primitive;
+    std::uint32_t first;  ///< number of the first primitive
+    std::uint32_t count;  ///< number of primitives
     Color radiance;
     bool two_sided;
-    int samples = 1;  ///< samples of a vertex at which all lights are sampled
+    int samples = 1;  ///< samples of each at a vertex at which all lights are sampled
 };
 
 using PhysicalLight = std::variant<PointSource, SpotSource, GoniometricSource, ProjectionSource,

@@ -20,8 +20,7 @@ struct SurfaceBinding {
     std::uint32_t material = 0;      ///< number among the look's materials
     bool flipped = false;            ///< the format's normals are opposite to the shape's
     bool corner_normals = false;     ///< the front is the side of the normals at the corners
-    std::uint32_t light = no_index;  ///< number of the first primitive's light
-    std::uint32_t first = 0;         ///< number of the first primitive, if they are lights
+    std::uint32_t light = no_index;  ///< number of the light that the primitives are
     /// Offset of the texture coordinates of triangles that have some at their corners: those of
     /// vertex v have the number v - uv_offset in the geometry. Otherwise no_index.
     std::uint32_t uv_offset = no_index;

@@ -61,6 +61,6 @@ TEST_CASE("The part of a ray in a spot's cone is all that the spot shines on", "
 
 TEST_CASE("Lights with extent or without a place shine on no part of a ray", "[light]") {
     CHECK_FALSE(lit_range(DistantSource{{0, 0, 1}, Color(1)}, Vec3(0), {0, 0, 1}, 1));
-    CHECK_FALSE(lit_range(AreaSource{0, Color(1), false}, Vec3(0), {0, 0, 1}, 1));
+    CHECK_FALSE(lit_range(AreaSource{0, 1, Color(1), false}, Vec3(0), {0, 0, 1}, 1));
     CHECK(lit_range(PointSource{Vec3(1), Color(1)}, Vec3(0), {0, 0, 1}, 1));
 }

@@ -23,15 +23,15 @@ Scene lit_scene(int triangles) {
     PhysicalLook& look = scene.physical();
     look.materials = {{MatteMaterial{{Color(0.5F)}, {0}}}};
     Geometry& g = scene.geometry;
-    look.bindings.push_back({.light = 0, .first = 0});
     for (int i = 0; i < triangles; ++i) {
+        const auto number = static_cast<std::uint32_t>(i);
+        look.bindings.push_back({.light = number});
         const double x = 2 * i;
         const std::uint32_t first = g.add_vertex({x, 0, 0});
         g.add_vertex({x + 1, 0, 0});
         g.add_vertex({x, 1, 0});
-        g.add(Triangle{{first, first + 1, first + 2}}, 0);
-        look.lights.emplace_back(
-            AreaSource{static_cast<std::uint32_t>(i), Color(static_cast<float>(i + 1)), false});
+        g.add(Triangle{{first, first + 1, first + 2}}, number);
+        look.lights.emplace_back(AreaSource{number, 1, Color(static_cast<float>(i + 1)), false});
     }
     look.lights.emplace_back(PointSource{Vec3(0, 0, 3), Color(1)});
     return scene;
@@ -69,7 +69,7 @@ TEST_CASE("Lights that take light away are picked like those that give it", "[li
         const Scene scene = lit_scene(triangles);
         Scene mixed = scene;
         for (PhysicalLight& light : mixed.physical().lights) {
-            if (auto* const area = std::get_if<AreaSource>(&light); area && area->primitive % 2)
+            if (auto* const area = std::get_if<AreaSource>(&light); area && area->first % 2)
                 area->radiance = -area->radiance;
             if (auto* const point = std::get_if<PointSource>(&light)) point->intensity = Color(-1);
         }

@@ -99,6 +99,20 @@ TEST_CASE("A sphere that shines inward through its near side lights what is outs
     CHECK_THAT(brightness(inward + plate, one_bounce("volpath")), WithinRel(lit, 1e-2));
 }
 
+TEST_CASE("The primitives of a shape are one light of the scene", "[light]") {
+    const std::string lamp = "AttributeBegin AreaLightSource \"diffuse\"\n";
+    const std::string dark = plate + "AttributeBegin " + square + "AttributeEnd\n";
+    const TestScene scene = pbrt_scene(dark + lamp + square + square + "AttributeEnd");
+    REQUIRE(scene.physical().lights.size() == 2);
+    std::uint32_t first = 4;
+    for (const PhysicalLight& light : scene.physical().lights) {
+        const auto& area = std::get<AreaSource>(light);
+        CHECK(area.first == first);
+        CHECK(area.count == 2);
+        first += 2;
+    }
+}
+
 TEST_CASE("A small light lights as much from any distance", "[light]") {
     for (const double distance : {1e3, 1e6, 1e8}) {
         const double radiance = distance * distance / 1e-6 / std::numbers::pi;

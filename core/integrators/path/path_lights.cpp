@@ -43,8 +43,7 @@ void PathBatch<in_media>::add_emitted(const PathState& path, const PhysicalSurfa
                                       const Vec3& direction) {
     const SurfaceBinding& binding = *at.binding;
     if (binding.light == no_index || path.is_unlit) return;
-    const std::uint32_t light =
-        shared_.lights.number_of(binding.light + (at.point.primitive - binding.first));
+    const std::uint32_t light = shared_.lights.number_of(binding.light, at.point.primitive);
     const Color radiance = shared_.lights.emitted(light, at.point, direction);
     if (radiance == Color(0.0F)) return;
     float weight = 1;

@@ -62,22 +62,25 @@ void ShapeBuilder::begin(SurfaceBinding binding) {
         binding.shadow_alpha = b.number(parameters(), "shadowalpha");
     }
     sides_ = binding.is_cut_out() ? Sides::cut_out : Sides::both;
-    if (shape.area_light != none) {
-        binding.light = static_cast<std::uint32_t>(look.lights.size());
-        binding.first = static_cast<std::uint32_t>(geometry().primitives.size());
-    }
+    if (shape.area_light != none) binding.light = static_cast<std::uint32_t>(look.lights.size());
     if (look.bindings.empty() || !same(look.bindings.back(), binding)) {
         look.bindings.push_back(binding);
     }
     binding_ = static_cast<std::uint32_t>(look.bindings.size() - 1);
 }
 
-void ShapeBuilder::add_light() {
+void ShapeBuilder::add_to_light() {
     if (shape.area_light == none) return;
+    std::vector<PhysicalLight>& lights = b.look().lights;
+    const std::uint32_t light = b.look().bindings[binding_].light;
+    if (light < lights.size()) {
+        ++std::get<AreaSource>(lights[light]).count;
+        return;
+    }
     const Parameters& p = b.frame.area_lights[shape.area_light].parameters;
-    b.look().lights.emplace_back(
-        AreaSource{static_cast<std::uint32_t>(geometry().primitives.size()),
-                   p.color("L") * p.color("scale"), p.flag("twosided"), light_samples(b, p)});
+    const auto first = static_cast<std::uint32_t>(geometry().primitives.size());
+    lights.emplace_back(AreaSource{first, 1, p.color("L") * p.color("scale"), p.flag("twosided"),
+                                   light_samples(b, p)});
 }
 
 void ShapeBuilder::skip(std::string_view why) const {

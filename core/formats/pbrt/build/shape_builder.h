@@ -34,10 +34,10 @@ class ShapeBuilder {
     /// Begins a run of primitives with a new binding, or with that of the previous shape if equal.
     void begin(SurfaceBinding binding);
 
-    /// Adds a primitive to the run, and its light if it is one.
+    /// Adds a primitive to the run, and to its light if it is one.
     template <class Shape>
     void add(const Shape& primitive) {
-        add_light();
+        add_to_light();
         geometry().add(primitive, binding_, sides_);
     }
 
@@ -45,7 +45,7 @@ class ShapeBuilder {
     void skip(std::string_view why) const;
 
   private:
-    void add_light();
+    void add_to_light();
 
     bool swaps_hand_;  ///< the map mirrors
     std::uint32_t binding_ = 0;
