@@ -51,6 +51,27 @@ LightBounds united(const LightBounds& a, const LightBounds& b) {
     return both;
 }
 
+/// Returns whether the angles that united() compares say so, whatever their roundings.
+bool BoundsSum::surely_contains(const EmissionCone& cone) const {
+    constexpr double slack = 1e-12;
+    if (cone.spread != 0) return false;
+    const double cosine = sum_.cone.axis.dot(cone.axis);
+    const bool two_sided = sum_.cone.two_sided || cone.two_sided;
+    return (two_sided ? std::abs(cosine) : cosine) > cos_spread_ + slack;
+}
+
+void BoundsSum::add(const LightBounds& light) {
+    if (sum_.intensity > 0 && light.intensity > 0 && surely_contains(light.cone)) {
+        sum_.cone.emission = std::max(sum_.cone.emission, light.cone.emission);
+        sum_.cone.two_sided = sum_.cone.two_sided || light.cone.two_sided;
+        sum_.box.extendBy(light.box);
+        sum_.intensity += light.intensity;
+        return;
+    }
+    sum_ = united(sum_, light);
+    cos_spread_ = std::cos(sum_.cone.spread);
+}
+
 double cluster_cost(const LightBounds& bounds) {
     const double sides = bounds.cone.two_sided ? 2 : 1;
     return bounds.intensity * sides * measure(bounds.cone) * bounds.box.size().length2();

@@ -23,6 +23,20 @@ struct LightBounds {
 /// Returns the bounds of the union.
 LightBounds united(const LightBounds& a, const LightBounds& b);
 
+/// Bounds of the union of lights that are added one by one, the same as by united(). Most lights of
+/// a mesh face within the cone of those before, and need no angles.
+class BoundsSum {
+  public:
+    void add(const LightBounds& light);
+    const LightBounds& bounds() const { return sum_; }
+
+  private:
+    bool surely_contains(const EmissionCone& cone) const;
+
+    LightBounds sum_;
+    double cos_spread_ = 1;
+};
+
 /// Returns the cost of a cluster of lights for the choice of clusters: its intensity, times a
 /// measure of its directions and one of its size (Conty Estevez & Kulla 2018, section 4.4).
 double cluster_cost(const LightBounds& bounds);

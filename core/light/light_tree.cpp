@@ -66,7 +66,7 @@ class LightTree::Builder {
         std::uint32_t root, others;
     };
     struct Bin {
-        LightBounds bounds;
+        BoundsSum lights;
         std::size_t count = 0;
     };
     struct Split {
@@ -86,15 +86,15 @@ class LightTree::Builder {
         std::array<Bin, bins> filled;
         for (std::size_t i = first; i < last; ++i) {
             Bin& bin = filled[bin_of(centre(order_[i]), centres, axis)];
-            bin.bounds =
-                bin.count++ == 0 ? bounds_[order_[i]] : united(bin.bounds, bounds_[order_[i]]);
+            bin.lights.add(bounds_[order_[i]]);
+            ++bin.count;
         }
         std::array<double, bins + 1> above{};
         LightBounds side;
         for (int k = bins - 1; k > 0; --k) {
             above[k] = above[k + 1];
             if (filled[k].count == 0) continue;
-            side = united(side, filled[k].bounds);
+            side = united(side, filled[k].lights.bounds());
             above[k] = cluster_cost(side);
         }
         Split best;
@@ -102,7 +102,7 @@ class LightTree::Builder {
         std::size_t below = 0;
         for (int k = 0; k + 1 < bins; ++k) {
             if (filled[k].count == 0) continue;
-            side = united(side, filled[k].bounds);
+            side = united(side, filled[k].lights.bounds());
             below += filled[k].count;
             if (below == last - first) break;
             const double cost = cluster_cost(side) + above[k + 1];

@@ -178,6 +178,28 @@ TEST_CASE("A tree of many lights is the same for any number of threads", "[light
     }
 }
 
+TEST_CASE("Bounds of lights added one by one are those of their unions", "[light]") {
+    // Close to each other in direction, so that most are within the cone of those before.
+    std::vector<LightBounds> lights = many_lights(4000);
+    for (LightBounds& light : lights) {
+        light.cone.axis = normalized(light.cone.axis + Vec3(0, 0, light.cone.two_sided ? -9 : 9));
+        if (light.cone.spread == pi) light.cone.spread = 0;
+    }
+    BoundsSum sum;
+    LightBounds expected;
+    for (const LightBounds& light : lights) {
+        sum.add(light);
+        expected = united(expected, light);
+        const LightBounds& found = sum.bounds();
+        REQUIRE(found.box == expected.box);
+        REQUIRE(found.cone.axis == expected.cone.axis);
+        REQUIRE(found.cone.spread == expected.cone.spread);
+        REQUIRE(found.cone.emission == expected.cone.emission);
+        REQUIRE(found.cone.two_sided == expected.cone.two_sided);
+        REQUIRE(found.intensity == expected.intensity);
+    }
+}
+
 TEST_CASE("Bounds of two lights hold both", "[light]") {
     const std::vector<LightBounds> lights = many_lights(200);
     const auto within = [](const LightBounds& small, const LightBounds& large) {
