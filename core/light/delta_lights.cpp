@@ -62,10 +62,8 @@ struct DeltaSample {
     LightSample operator()(const DistantSource& s) const {
         return {s.direction, Vec3(0), true, s.radiance, 1, true};
     }
-    template <class Other>
-    LightSample operator()(const Other&) const {
-        return {};
-    }
+    LightSample operator()(const InfiniteSource&) const { return {}; }
+    LightSample operator()(const AreaSource&) const { return {}; }
 
     const Vec3& from;
     const SphericalImage* image;  ///< of a light that has one
@@ -89,10 +87,8 @@ struct DeltaPower {
     double operator()(const DistantSource& s) const {
         return pi * scene_radius * scene_radius * strength(s.radiance);
     }
-    template <class Other>
-    double operator()(const Other&) const {
-        return 0;
-    }
+    double operator()(const InfiniteSource&) const { return 0; }
+    double operator()(const AreaSource&) const { return 0; }
 
     const SphericalImage* image;  ///< of a light that has one
     double scene_radius;
