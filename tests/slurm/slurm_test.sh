@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # slurm_test.sh SOURCE BINARY: job arrays of scripts/slurm on a Slurm of one node that this starts:
-# parts, one of them requeued while it renders, have the bits of one rendering, and so have frames.
-# Status 77 where Slurm is not installed or this is not root.
+# parts, one of them requeued while it renders, have the bits of one rendering, and so have frames. A
+# task near its time limit requeues itself alone, and one that is cancelled does not. Status 77 where
+# Slurm is not installed or this is not root.
 set -euo pipefail
 
 source=$1 binary=$2
@@ -88,6 +89,7 @@ CONF
 
 is_over() { [[ -z $(squeue -h -j "$1" 2>/dev/null) ]]; }
 is_running() { [[ $(squeue -h -j "$1" -o %T 2>/dev/null) == RUNNING ]]; }
+is_pending() { [[ $(squeue -h -j "$1" -o %T 2>/dev/null) == PENDING ]]; }
 
 same_pixels() {
     "$ETALON" compare "$1" "$2" --fail-above mse=0 >/dev/null || fail "$1 is not $2"
@@ -112,13 +114,43 @@ check_requeued() {
     within 60 is_running "${jobs[0]}_1"
     within 60 test -s requeued.exr.parts/1.exr.checkpoint
     scontrol requeue "${jobs[0]}_1"
-    within 60 bash -c "[[ \$(squeue -h -j '${jobs[0]}_1' -o %T) == PENDING ]]"
+    within 60 is_pending "${jobs[0]}_1"
     scontrol update JobId="${jobs[0]}_1" StartTime=now
     within 300 is_over "${jobs[1]}"
     [[ -e requeued.exr ]] || fail "nothing was merged after a task was requeued"
     scontrol show job "${jobs[0]}_1" | grep -q Restarts=1 || fail "no task was started again"
     "$ETALON" render "$scene" "${options[@]:0:4}" -q -o whole.exr
     same_pixels requeued.exr whole.exr
+}
+
+# Each task has the node to itself, so that the first is done when the last, which has the number of
+# the whole array, gets the signal that comes before the time limit.
+check_near_limit() {
+    local scene=$source/scenes/features/glass.p3f
+    local options=(--spp 4096 --resolution 160x120 --checkpoint-every 0.2 -q)
+    SBATCH_EXCLUSIVE=exclusive "$source/scripts/slurm/submit" parts 2 limited.exr "$scene" "${options[@]}" >submitted
+    mapfile -t jobs <submitted
+    within 300 is_running "${jobs[0]}_2"
+    within 60 test -s limited.exr.parts/2.exr.checkpoint
+    scancel --batch --signal=TERM "${jobs[0]}_2"
+    within 60 is_pending "${jobs[0]}_2"
+    [[ -z $(squeue -h -t PENDING,RUNNING -j "${jobs[0]}_1") ]] || fail "a task that is done was requeued"
+    scontrol update JobId="${jobs[0]}_2" StartTime=now
+    within 300 is_over "${jobs[1]}"
+    "$ETALON" render "$scene" "${options[@]:0:4}" -q -o whole.exr
+    same_pixels limited.exr whole.exr
+}
+
+check_cancelled() {
+    local scene=$source/scenes/features/glass.p3f
+    "$source/scripts/slurm/submit" parts 1 cancelled.exr "$scene" --spp 1000000 --checkpoint-every 0.2 -q >submitted
+    mapfile -t jobs <submitted
+    within 60 test -s cancelled.exr.parts/1.exr.checkpoint
+    scancel "${jobs[0]}"
+    within 60 is_over "${jobs[0]}"
+    sleep 1
+    is_over "${jobs[0]}" || fail "a task that was cancelled was requeued"
+    is_over "${jobs[1]}" || fail "the merge still waits for a task that was cancelled"
 }
 
 check_frames() {
@@ -135,4 +167,6 @@ cd "$work"
 start_slurm
 check_parts
 check_requeued
+check_near_limit
+check_cancelled
 check_frames
