@@ -98,11 +98,11 @@ same_pixels() {
 check_parts() {
     local scene=$source/scenes/features/glass.p3f options=(--spp 64 --resolution 160x120 -q)
     "$ETALON" render "$scene" "${options[@]}" -o whole.exr
-    "$source/scripts/slurm/submit" parts 4 parts.exr "$scene" "${options[@]}" >submitted
+    "$source/scripts/slurm/submit" parts 4 'all %j.exr' "$scene" "${options[@]}" >submitted
     mapfile -t jobs <submitted
     within 120 is_over "${jobs[1]}"
-    [[ -e parts.exr ]] || fail "nothing was merged"
-    same_pixels parts.exr whole.exr
+    [[ -e 'all %j.exr' ]] || fail "nothing was merged"
+    same_pixels 'all %j.exr' whole.exr
 }
 
 # A task that is put back into the queue while it renders goes on from its checkpoint.
