@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "app/common/started_rank.h"
 #include "app/mpi/poll_pause.h"
 #include "core/base/module_symbol.h"
 
@@ -22,8 +21,22 @@ std::string Ranks::join() {
     if (module_->version != etalon_mpi_version) {
         return "etalon_mpi.so belongs to another version of the program";
     }
-    const char* const error = module_->join(&rank_, &size_);
-    return error ? fmt::format("cannot join the processes of MPI: {}", error) : "";
+    if (const char* const error = module_->join(&rank_, &size_)) {
+        return fmt::format("cannot join the processes of MPI: {}", error);
+    }
+    return check(started);
+}
+
+/// Returns why these are not the processes that the launcher started, or an empty string. An MPI
+/// that does not understand the launcher leaves each process alone, and each would render the whole
+/// image.
+std::string Ranks::check(const StartedRank& started) const {
+    const bool is_alone = size_ == 1 && started.size > 1;
+    if (rank_ == started.rank && !is_alone) return {};
+    return fmt::format(
+        "is process {} of {} to its launcher, {} of {} to its MPI; expected the launcher of the "
+        "MPI that it was built with, mpirun of Open MPI or srun --mpi=pmix",
+        started.rank + 1, started.size, rank_ + 1, size_);
 }
 
 void Ranks::send(int to, std::string_view message) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/common/started_rank.h"
 #include "app/mpi/mpi_abi.h"
 
 namespace etalon {
@@ -48,6 +49,7 @@ class Ranks {
     void leave(double patience);
 
   private:
+    std::string check(const StartedRank& started) const;
     void note_error(const char* error);
 
     const EtalonMpi* module_ = nullptr;

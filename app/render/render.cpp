@@ -43,9 +43,10 @@ int run_other_rank(const RenderArguments& arguments, Ranks& ranks) {
 }
 
 int run_render(const RenderArguments& arguments) {
+    const bool is_first = started_rank().rank == 0;  // MPI may change what it reads
     Ranks ranks;
     if (const std::string error = ranks.join(); !error.empty()) {
-        if (started_rank().rank == 0) fail_with(error);
+        if (is_first) fail_with(error);
         return exit_unusable;
     }
     return ranks.rank() == 0 ? run_first_rank(arguments, ranks) : run_other_rank(arguments, ranks);

@@ -280,6 +280,23 @@ TEST_CASE("When a rank is killed, the rendering can be resumed", "[app][needs_mp
     }
 }
 
+TEST_CASE("Processes of another MPI's launcher report once that they do not meet",
+          "[app][needs_mpirun]") {
+    const Folder f;
+    SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
+    f.write("ball.p3f", small_scene);
+    const std::string second = "PMI_SIZE=2 PMI_RANK=";
+    const std::string render = " " ETALON_BINARY_DIR "/bin/etalon render ball.p3f -q -o a.exr";
+    const auto first = f.shell(second + "0" + render);
+    CHECK(first.status == 3);
+    CHECK_THAT(first.err,
+               ContainsSubstring("is process 1 of 2 to its launcher, 1 of 1 to its MPI"));
+    const auto last = f.shell(second + "1" + render);
+    CHECK(last.status == 3);
+    CHECK(last.err.empty());
+    CHECK_FALSE(f.has("a.exr"));
+}
+
 TEST_CASE("Ranks without the MPI module report that once", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
