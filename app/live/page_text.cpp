@@ -78,7 +78,8 @@ svg circle{fill:var(--line)}
 'use strict';
 const by_id = id => document.getElementById(id);
 const stages = {preparing: 'Preparing the scene.', rendering: 'Rendering.',
-  writing: 'Writing the image.', over: 'Done: the image is written.'};
+  writing: 'Writing the image.', over: 'Done: the image is written.', unwritten: 'Ended: no image was written.'};
+const has_ended = () => state.stage === 'over' || state.stage === 'unwritten';
 let shown = 'image', state = null, is_stopping = false, loaded = {}, urls = {};
 
 const number = (x, digits = 3) => x === 0 ? '0' :
@@ -154,7 +155,7 @@ function show_state() {
   by_id('samples').textContent = number(state.samples);
   const last = state.errors[state.errors.length - 1];
   by_id('error').textContent = last ? number(last.relmse) : 'unknown';
-  by_id('stop').disabled = is_stopping || state.stage === 'over' || state.stage === 'writing';
+  by_id('stop').disabled = is_stopping || has_ended() || state.stage === 'writing';
   draw(state.errors);
   show_picture();
 }
@@ -164,9 +165,9 @@ async function update() {
   try {
     state = await (await fetch('state.json')).json();
     show_state();
-    const all = state.stage === 'over' ? ['image', 'samples', 'seconds'] : [shown];
+    const all = has_ended() ? ['image', 'samples', 'seconds'] : [shown];
     if (state.version > 0) for (const name of all) await load(name);
-    if (state.stage === 'over') return;
+    if (has_ended()) return;
   } catch {
     by_id('stage').textContent = 'The program has ended.';
     by_id('stop').disabled = true;

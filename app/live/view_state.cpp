@@ -3,7 +3,7 @@
 namespace etalon {
 namespace {
 
-constexpr const char* stage_names[] = {"preparing", "rendering", "writing", "over"};
+constexpr const char* stage_names[] = {"preparing", "rendering", "writing", "over", "unwritten"};
 
 }  // namespace
 

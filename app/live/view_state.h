@@ -13,7 +13,8 @@ namespace etalon {
 /// Progress of a rendering, and its error over time, for the page that shows it.
 class ViewState {
   public:
-    enum class Stage { preparing, rendering, writing, over };
+    /// The last two tell whether the image was written.
+    enum class Stage { preparing, rendering, writing, over, unwritten };
 
     RenderObserver observer();
 

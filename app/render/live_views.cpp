@@ -45,9 +45,9 @@ void LiveViews::attach(const RenderSettings& settings, RunControl& control) {
     }
 }
 
-void LiveViews::show_end() {
+void LiveViews::show_end(bool is_written) {
     if (!page_) return;
-    page_->set_stage(ViewState::Stage::over);
+    page_->set_stage(is_written ? ViewState::Stage::over : ViewState::Stage::unwritten);
     page_->wait_for_pages();
     const auto is_over = [] { return SignalGuard::raised() && !SignalGuard::is_requested(); };
     while (a_.stay && !is_over()) std::this_thread::sleep_for(page_interval);

@@ -28,7 +28,7 @@ class LiveViews {
     }
 
     /// Lets pages show the finished image; a page that is to stay, until a signal.
-    void show_end();
+    void show_end(bool is_written);
 
   private:
     void start_tev();

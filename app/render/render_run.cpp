@@ -37,7 +37,7 @@ void limit_threads(int threads) {
 
 int RenderRun::run() {
     const int status = render_and_write();
-    if (is_written_) views_.show_end();
+    if (is_written_) views_.show_end(*is_written_);
     return status;
 }
 
@@ -76,8 +76,10 @@ int RenderRun::render_and_write() {
     warn_of_dropped_samples(scene_, a_.scene, rendering.dropped_samples);
     warn_of_missed_target(rendering);
     const bool usable = tolerates(scene_, a_.scene, late_problems());
-    const bool written = rendering.samples == 0 || write(rendering);
-    is_written_ = written;
+    const bool has_image = rendering.samples > 0;
+    if (!has_image) print_message("etalon: warning: stopped before the first sample: no image\n");
+    const bool written = !has_image || write(rendering);
+    is_written_ = has_image && written;
     if (SignalGuard::signal() != 0) return exit_signal + SignalGuard::signal();
     if (!written) return exit_not_written;
     return usable && !lacks_channels_ ? exit_done : exit_unusable;

@@ -82,9 +82,9 @@ class RenderRun {
     std::optional<PacketIntersector> packets_;
     std::unique_ptr<Integrator> integrator_;
     std::optional<PhysicalShading> shading_;  ///< for AOVs, if the integrator has none
-    bool is_written_ = false;
-    bool lacks_channels_ = false;  ///< AOVs, for lack of memory
-    LiveViews views_{a_};          ///< declared last, so that they end first
+    std::optional<bool> is_written_;          ///< the image, once rendering is over
+    bool lacks_channels_ = false;             ///< AOVs, for lack of memory
+    LiveViews views_{a_};                     ///< declared last, so that they end first
 };
 
 }  // namespace etalon

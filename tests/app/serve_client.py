@@ -178,6 +178,27 @@ with Served(PROGRAM, *ENDLESS[:-1], "d.exr", "--stay") as served:
     served.interrupt()
     assert served.end() == 130
 
+# What ends without a file says so; a page that is to stay keeps the image that could not be written.
+with open("many.p3f", "w") as file:
+    with open("ball.p3f") as ball:
+        file.write(ball.read())
+    file.writelines("s %d 0 -9 0.1\n" % x for x in range(300000))  # so that there is time to stop it
+with Served(PROGRAM, "many.p3f", "-q", "-o", "none.exr", "--stay") as served:
+    assert served.ask("stop", method="POST")[0] == 200
+    until(lambda: served.state()["stage"] == "unwritten")
+    assert served.state()["samples"] == 0 and not os.path.exists("none.exr")
+    served.interrupt()
+    assert served.end() == 130
+os.mkdir("gone")
+with Served(PROGRAM, *ENDLESS[:-1], "gone/a.exr", "--stay") as served:
+    until(lambda: served.state()["samples"] > 0)
+    os.rmdir("gone")
+    assert served.ask("stop", method="POST")[0] == 200
+    until(lambda: served.state()["stage"] == "unwritten")
+    assert size_of(served.ask("image.png")[2]) == (32, 24)
+    served.interrupt()
+    assert served.end() == 130
+
 # Clients that are slow or ask again and again do not keep the program from ending.
 with Served(PROGRAM, "ball.p3f", "-q", "--spp", "4", "-o", "c.exr") as served:
     def bother(client):
