@@ -169,9 +169,9 @@ async function update() {
     if (state.version > 0) for (const name of all) await load(name);
     if (has_ended()) return;
   } catch {
-    by_id('stage').textContent = 'The program has ended.';
+    if (state && has_ended()) return;
+    by_id('stage').textContent = 'No answer: the program has ended, or the connection is lost.';
     by_id('stop').disabled = true;
-    return;
   }
   setTimeout(update, Math.min(1000, Math.max(500, 4 * (performance.now() - start))));
 }
@@ -179,7 +179,11 @@ async function update() {
 by_id('stop').onclick = async () => {
   is_stopping = true;
   by_id('stop').disabled = true;
-  await fetch('stop', {method: 'POST'});
+  try {
+    is_stopping = (await fetch('stop', {method: 'POST'})).ok;
+  } catch {
+    is_stopping = false;
+  }
 };
 for (const tab of document.querySelectorAll('[role=tab]')) {
   tab.onclick = () => {

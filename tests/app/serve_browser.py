@@ -2,13 +2,14 @@
 # ball.p3f.
 import sys
 
-from served import Browser, Served, until
+from served import Browser, Relay, Served, until
 
 PROGRAM, CHROMIUM = sys.argv[1:3]
 
 with Served(PROGRAM, "ball.p3f", "-q", "--spp", "16777216", "-o", "a.exr") as served, \
         Browser(CHROMIUM, "profile") as browser:
-    browser.call("Page.navigate", url=served.url)
+    relay = Relay(served.port)
+    browser.call("Page.navigate", url=served.url.replace(str(served.port), str(relay.port)))
 
     def text(name):
         return browser.value("document.getElementById('%s').textContent" % name)
@@ -36,6 +37,16 @@ with Served(PROGRAM, "ball.p3f", "-q", "--spp", "16777216", "-o", "a.exr") as se
     for scheme, paper in (("light", "rgb(255, 255, 255)"), ("dark", "rgb(18, 22, 27)")):
         browser.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
         assert browser.value("getComputedStyle(document.body).backgroundColor") == paper
+
+    # A connection that fails for a while is no end.
+    assert browser.complaints == [], browser.complaints
+    relay.is_cut = True
+    until(lambda: text("stage") == "No answer: the program has ended, or the connection is lost.")
+    assert browser.value("document.getElementById('stop').disabled")
+    relay.is_cut = False
+    until(lambda: text("stage") == "Rendering.")
+    assert not browser.value("document.getElementById('stop').disabled")
+    browser.complaints = []  # of requests without an answer
 
     # The button ends the rendering as ^C does; the page has the last of it.
     browser.value("document.getElementById('stop').click()")

@@ -5,6 +5,7 @@ import os
 import signal
 import socket
 import subprocess
+import threading
 import time
 from urllib.parse import urlsplit
 
@@ -75,6 +76,34 @@ class Served:
         if not self.has_ended():
             self.process.kill()
             self.process.wait()
+
+
+class Relay:
+    """Passes connections to a port of this machine on, as `ssh -L` does, until it is cut."""
+
+    def __init__(self, port):
+        self.target, self.is_cut = port, False
+        self.listener = socket.create_server(("127.0.0.1", 0))
+        self.port = self.listener.getsockname()[1]
+        threading.Thread(target=self.run, daemon=True).start()
+
+    def run(self):
+        while True:
+            client = self.listener.accept()[0]
+            if self.is_cut:
+                client.close()
+            else:
+                threading.Thread(target=self.pass_on, args=(client,), daemon=True).start()
+
+    def pass_on(self, client):
+        """Passes one request on, in one piece as browsers send it, and its answer back."""
+        try:
+            with client, socket.create_connection(("127.0.0.1", self.target)) as server:
+                server.sendall(client.recv(1 << 16))
+                while piece := server.recv(1 << 16):
+                    client.sendall(piece)
+        except OSError:  # one of them has ended
+            pass
 
 
 class Browser:
