@@ -84,6 +84,7 @@ void HttpServer::run() {
         std::erase_if(connections_, [&](const HttpConnection& c) {
             return c.is_over() || (is_ending && (!c.is_answering() || now >= end));
         });
+        is_answering_ = std::ranges::any_of(connections_, &HttpConnection::is_answering);
         if (polled_[1].revents != 0 && !is_ending) accept();
     }
 }

@@ -2,6 +2,7 @@
 
 #include <poll.h>
 
+#include <atomic>
 #include <string>
 #include <thread>
 #include <vector>
@@ -30,6 +31,9 @@ class HttpServer {
     /// Returns the port; the handler may also call it.
     int port() const { return port_; }
 
+    /// Returns whether an answer is on its way. Thread-safe.
+    bool is_answering() const { return is_answering_; }
+
   private:
     using Clock = HttpConnection::Clock;
 
@@ -44,6 +48,7 @@ class HttpServer {
     int port_ = 0;
     std::vector<HttpConnection> connections_;  ///< the oldest first
     std::vector<pollfd> polled_;               ///< ending, listener, connections
+    std::atomic<bool> is_answering_ = false;
     std::thread thread_;
 };
 

@@ -55,7 +55,16 @@ std::string PageServer::address() const {
 double PageServer::idle_seconds() const {
     const std::lock_guard lock(mutex_);
     if (!was_asked_) return std::numeric_limits<double>::infinity();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count();
+    const auto now = std::chrono::steady_clock::now();
+    if (is_making_ || server_.is_answering()) last_ = now;
+    return std::chrono::duration<double>(now - last_).count();
+}
+
+void PageServer::note_making(bool is_making) {
+    const std::lock_guard lock(mutex_);
+    was_asked_ = true;
+    is_making_ = is_making;
+    last_ = std::chrono::steady_clock::now();
 }
 
 HttpAnswer PageServer::answer(const HttpRequest& request) {
@@ -67,12 +76,13 @@ HttpAnswer PageServer::answer(const HttpRequest& request) {
     if (slash == std::string::npos || !is_same(path.substr(1, slash - 1), token_)) {
         return text_answer(404, "There is nothing here.\n");
     }
+    note_making(true);
+    struct AtEnd {
+        PageServer& self;
+        ~AtEnd() { self.note_making(false); }
+    } at_end{*this};
     try {
-        HttpAnswer result = answer(request.method, path.substr(slash + 1));
-        const std::lock_guard lock(mutex_);
-        last_ = std::chrono::steady_clock::now();
-        was_asked_ = true;
-        return result;
+        return answer(request.method, path.substr(slash + 1));
     } catch (const std::exception& error) {
         return text_answer(500, error.what());
     }

@@ -31,19 +31,21 @@ class PageServer {
     /// Returns "http://127.0.0.1:PORT/TOKEN/".
     std::string address() const;
 
-    /// Returns the seconds since the last answered request; infinite if there was none.
+    /// Returns the seconds since a request was last being answered: 0 while one is, infinite if
+    /// there was none.
     double idle_seconds() const;
 
   private:
     HttpAnswer answer(const HttpRequest& request);
     HttpAnswer answer(const std::string& method, const std::string& name);
+    void note_making(bool is_making);
 
     std::map<std::string, Resource> resources_;
     std::string token_;
     mutable std::mutex mutex_;
-    std::chrono::steady_clock::time_point last_;
-    bool was_asked_ = false;
-    HttpServer server_;  ///< declared last, so that it ends first
+    mutable std::chrono::steady_clock::time_point last_;  ///< when it was last known to answer
+    bool was_asked_ = false, is_making_ = false;          ///< an answer
+    HttpServer server_;                                   ///< declared last, so that it ends first
 };
 
 }  // namespace etalon
