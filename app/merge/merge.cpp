@@ -9,6 +9,7 @@
 #include "app/common/fail.h"
 #include "app/common/memory_limit.h"
 #include "app/common/output.h"
+#include "app/common/signals.h"
 #include "app/merge/merged_films.h"
 #include "app/part/image_identity.h"
 #include "app/part/image_metadata.h"
@@ -100,18 +101,22 @@ std::string line_of(MergedFilms& merged, const RenderedImage& image) {
     return appendix_line(appendix);
 }
 
+/// A signal ends it early, after which no file is left that is not complete.
 std::string write(const std::string& path, MergedFilms& merged, const RenderedImage& image) {
     const Result<std::string> encoded = encode_image(path, image);
     if (!encoded) return path + ": cannot be written: " + encoded.error;
     const std::string line = line_of(merged, image);
+    const SignalGuard signals;
     FileReplacement file(path);
-    const StateWriter::Sink put = [&](std::string_view bytes) { file.write(bytes); };
+    const StateWriter::Sink put = [&](std::string_view bytes) {
+        if (!SignalGuard::raised()) file.write(bytes);
+    };
     put(encoded.value);
     write_appendix(line, put, [&](const StateWriter::Sink& sink) {
         StateWriter writer(sink);
         for (MergedFilm& m : merged.films) m.film->transfer(writer);
     });
-    return file.put_in_place();
+    return SignalGuard::raised() ? "" : file.put_in_place();
 }
 
 void warn_of_gaps(const MergedFilms& merged, const RenderedImage& image) {
@@ -141,7 +146,8 @@ int run(const Arguments& a) {
     const RenderedImage image = image_of(merged.value);
     warn_of_gaps(merged.value, image);
     const std::string error = write(a.output, merged.value, image);
-    return error.empty() ? exit_done : fail(exit_not_written, error);
+    if (!error.empty()) return fail(exit_not_written, error);
+    return SignalGuard::raised() ? exit_signal + SignalGuard::signal() : exit_done;
 }
 
 }  // namespace

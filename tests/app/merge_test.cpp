@@ -248,6 +248,20 @@ TEST_CASE("merge neither replaces a part nor waits for a pipe", "[app]") {
     CHECK_THAT(waiting.err, ContainsSubstring("pipe.exr: cannot be read: is no regular file"));
 }
 
+TEST_CASE("A merge that a signal ends while it writes leaves nothing behind", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::string render = "render ball.p3f --resolution 1920x1080 --spp 2 -q --part ";
+    REQUIRE(f.etalon(render + "1/2 -o a.exr").status == 0);
+    REQUIRE(f.etalon(render + "2/2 -o b.exr").status == 0);
+    const auto r = f.shell("'" ETALON_BINARY_DIR
+                           "/bin/etalon' merge a.exr b.exr -o m.exr & pid=$!; until ls -A | grep "
+                           "-q tmp || ! kill -0 $pid; do :; done; kill -TERM $pid; wait $pid");
+    INFO(r.err);
+    CHECK(r.status == 143);
+    CHECK(f.shell("ls -A").out == "a.exr\nb.exr\nball.p3f\n");
+}
+
 TEST_CASE("A merged image of parts that were stopped says so", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
