@@ -126,7 +126,9 @@ std::string FileReplacement::put_in_place() {
     if (error_ == 0) error_ = synchronize(file_);
     if (error_ == 0) error_ = replace();
     if (error_ == 0) return {};
-    return path_ + ": cannot be written: " + error_text(error_);
+    const bool is_busy = error_ == EBUSY;  // see claim()
+    const std::string reason = is_busy ? "another program is writing it" : error_text(error_);
+    return path_ + ": cannot be written: " + reason;
 }
 
 /// Renames the complete file; where the system forbids that, copies it.

@@ -34,6 +34,16 @@ TEST_CASE("A file that is replaced keeps its permissions", "[file]") {
     CHECK(fs::status(path).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
 }
 
+TEST_CASE("A file that another one is writing is left to it", "[file]") {
+    const TemporaryFolder folder;
+    const std::string path = folder / "state";
+    FileReplacement first(path);
+    first.write("first");
+    CHECK(replace(path, "second") == path + ": cannot be written: another program is writing it");
+    CHECK(first.put_in_place().empty());
+    CHECK(content_of(path) == "first");
+}
+
 TEST_CASE("A link where the temporary file would be is not followed", "[file]") {
     const TemporaryFolder folder;
     const std::string path = folder / "state", precious = folder / "precious";
