@@ -1,5 +1,7 @@
 #include "core/formats/diagnostic_log.h"
 
+#include "core/base/printable.h"
+
 namespace etalon {
 
 Diagnostic* DiagnosticLog::admit(Severity severity, std::size_t offset, std::string_view kind) {
@@ -23,6 +25,11 @@ std::string in_quotes(std::string_view word) {
         }
     }
     return text + (word.size() > longest ? "...'" : "'");
+}
+
+std::string path_in_quotes(std::string_view path) {
+    constexpr std::size_t longest = 4096;  // of the paths that a file can have
+    return "'" + printable(path, longest) + "'";
 }
 
 }  // namespace etalon

@@ -64,4 +64,8 @@ class DiagnosticLog {
 /// ASCII, and not too long.
 std::string in_quotes(std::string_view word);
 
+/// Returns the path of a file for use in a message: in quotes, printable, and whole, since the end
+/// says which file it is.
+std::string path_in_quotes(std::string_view path);
+
 }  // namespace etalon

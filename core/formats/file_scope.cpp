@@ -17,7 +17,7 @@ FileScope::FileScope(const std::string& root) : root_(root) {
 std::string FileScope::check(const std::filesystem::path& file) const {
     if (root_.empty() || holds(file)) return {};
     return fmt::format("{} lies outside of {}, where alone files may be opened",
-                       in_quotes(file.native()), in_quotes(root_));
+                       path_in_quotes(file.native()), path_in_quotes(root_));
 }
 
 /// Compares components: /scenes-2 does not lie in /scenes.

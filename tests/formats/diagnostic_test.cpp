@@ -129,3 +129,10 @@ TEST_CASE("a word in a message is printable and short") {
     CHECK(in_quotes(std::string("a\0\xFF", 3)) == "'a\\x00\\xff'");
     CHECK(in_quotes(std::string(100, 'x')) == "'" + std::string(40, 'x') + "...'");
 }
+
+TEST_CASE("a path in a message is printable and whole") {
+    const std::string path = "/" + std::string(300, 'x') + "/part.pbrt";
+    CHECK(path_in_quotes(path) == "'" + path + "'");
+    CHECK(path_in_quotes("a\x1b") == "'a\\x1b'");
+    CHECK(path_in_quotes(std::string(5000, 'x')).size() < 4200);
+}

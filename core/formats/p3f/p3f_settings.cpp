@@ -50,7 +50,8 @@ void read_environment(Loader& loader) {
     }
     if (!found.missing.empty()) {
         in.warn_at(offset, "skybox", "no skybox in {}: nothing found for {}, as {}",
-                   in_quotes(name), fmt::join(found.missing, ", "), ".jpg, .png, .exr or .hdr");
+                   path_in_quotes(name), fmt::join(found.missing, ", "),
+                   ".jpg, .png, .exr or .hdr");
         return;
     }
     found.skybox.nearest = loader.options.legacy;

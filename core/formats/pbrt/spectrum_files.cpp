@@ -14,7 +14,8 @@ Color SpectrumFiles::color(const std::string& name, FileLoc where) {
 Color SpectrumFiles::read(const std::string& path, FileLoc where) {
     const FileText file = read_file(path, FileKind::regular);
     if (!file.error.empty()) {
-        log_.warn(where, "file", "the spectrum {} {}; it is black", in_quotes(path), file.error);
+        log_.warn(where, "file", "the spectrum {} {}; it is black", path_in_quotes(path),
+                  file.error);
         return Color(0.0F);
     }
     DiagnosticLog problems(path, file.text(), log_.is_strict());

@@ -91,12 +91,12 @@ void TokenStream::include(const std::string& name, FileLoc where) {
     const std::string& path = *resolved;
     ++included_files_;
     if (const std::string why = check_readable(path); !why.empty()) {
-        log_.error(where, "include", "{} is not included: {}", in_quotes(path), why);
+        log_.error(where, "include", "{} is not included: {}", path_in_quotes(path), why);
         return;
     }
     auto file = std::make_unique<MappedFile>(path, FileKind::regular);
     if (!file->error().empty()) {
-        log_.error(where, "include", "{} {}; it is left out", in_quotes(path), file->error());
+        log_.error(where, "include", "{} {}; it is left out", path_in_quotes(path), file->error());
         return;
     }
     const std::string_view text = file->text();

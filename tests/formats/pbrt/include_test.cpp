@@ -100,6 +100,14 @@ TEST_CASE("a file that is missing is an error, and reading goes on") {
     CHECK(file.frames.at(0).shapes.size() == 1);
 }
 
+TEST_CASE("a file that is missing is named in full, however long its path is") {
+    const Folder folder;
+    const std::string name = std::string(100, 'x') + "/none.pbrt";
+    const auto said = folder.said(folder.parse("WorldBegin Include \"" + name + "\" WorldEnd"));
+    REQUIRE(said.size() == 1);
+    CHECK(said[0].find("'" + name + "'") != std::string::npos);
+}
+
 TEST_CASE("a file that includes itself is told so") {
     const Folder folder;
     folder.file("a.pbrt", "Include \"b.pbrt\" Shape \"sphere\"");

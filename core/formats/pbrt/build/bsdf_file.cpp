@@ -123,7 +123,7 @@ const BsdfFiles::Table& BsdfFiles::read(const std::string& path) {
     if (parsed) {
         table.value = std::make_shared<const FourierTable>(std::move(parsed.value));
     } else {
-        table.error = fmt::format("{} {}", in_quotes(path), parsed.error);
+        table.error = fmt::format("{} {}", path_in_quotes(path), parsed.error);
     }
     return table;
 }

@@ -29,7 +29,7 @@ std::string check_surface(const LensSurface& s) {
 Result<std::vector<LensSurface>> read_lens_file(const std::string& path, bool strict,
                                                 DiagnosticList& log) {
     const FileText file = read_file(path, FileKind::regular);
-    if (!file.error.empty()) return {{}, fmt::format("{} {}", in_quotes(path), file.error)};
+    if (!file.error.empty()) return {{}, fmt::format("{} {}", path_in_quotes(path), file.error)};
     DiagnosticLog problems(path, file.text(), strict);
     const std::vector<PlacedNumber> numbers = read_number_text(file.text(), problems);
     log.append(problems.list());
@@ -37,7 +37,7 @@ Result<std::vector<LensSurface>> read_lens_file(const std::string& path, bool st
     if (numbers.size() % 4 != 0 || count == 0 || count > most_surfaces) {
         return {{},
                 fmt::format("{} has {} numbers: expected four for each of up to {} surfaces",
-                            in_quotes(path), numbers.size(), most_surfaces)};
+                            path_in_quotes(path), numbers.size(), most_surfaces)};
     }
     Result<std::vector<LensSurface>> result;
     for (std::size_t i = 0; i < numbers.size(); i += 4) {
@@ -45,7 +45,7 @@ Result<std::vector<LensSurface>> read_lens_file(const std::string& path, bool st
         const LensSurface surface{number(0) * millimetre, number(1) * millimetre, number(2),
                                   number(3) * millimetre / 2};
         if (const std::string why = check_surface(surface); !why.empty()) {
-            return {{}, fmt::format("{}: {}", in_quotes(path), why)};
+            return {{}, fmt::format("{}: {}", path_in_quotes(path), why)};
         }
         result.value.push_back(surface);
     }
