@@ -18,6 +18,15 @@ const ParameterSpec* find_by_any_name(const PluginType& type, std::string_view n
     return found != type.parameters.end() ? &*found : nullptr;
 }
 
+/// Returns whether a parameter takes a value that is given so: another one was used instead.
+bool takes(const ParameterSpec& spec, const GivenParameter& given) {
+    if (given.is_texture) return spec.slot == Slot::texture;
+    const auto fits = [&](const Spelling& spelling) {
+        return spelling.name == given.name && to_string(spelling.type) == to_string(given.type);
+    };
+    return fits({spec.name, spec.type}) || std::ranges::any_of(spec.other_spellings(), fits);
+}
+
 /// Returns the types that a parameter takes, in words: "float or texture".
 std::string accepted_types(const ParameterSpec& spec) {
     const std::string_view own = to_string(spec.type);
@@ -35,7 +44,11 @@ std::vector<std::string_view> names(const PluginType& type) {
 void report_unused(const ParameterList& list, const PluginType& type, Log& log) {
     for (const GivenParameter& given : list.parameters) {
         if (given.is_used) continue;
-        if (const ParameterSpec* spec = find_by_any_name(type, given.name)) {
+        const ParameterSpec* const spec = find_by_any_name(type, given.name);
+        if (spec && takes(*spec, given)) {
+            log.warn(given.where, "unused", "'{} {}' is not used beside another value of '{}'",
+                     given.type_word, given.name, spec->name);
+        } else if (spec) {
             log.warn(given.where, "unused", "'{} {}' is not used: in the {} '{}' its type is {}",
                      given.type_word, given.name, to_string(type.category), type.name,
                      accepted_types(*spec));

@@ -132,6 +132,16 @@ TEST_CASE("a parameter of another type is not used") {
               .number("fov") == 90);
 }
 
+TEST_CASE("a parameter is not used beside another value of it") {
+    const auto said = [](const std::string& world) { return messages(parse_world(world)); };
+    const std::string texture = "Texture \"a\" \"spectrum\" \"constant\"\n";
+    CHECK(said(texture + "Material \"matte\" \"texture Kd\" \"a\" \"rgb Kd\" [1 1 1]") ==
+          Messages{"a.pbrt:2:35: warning: 'rgb Kd' is not used beside another value of 'Kd'"});
+    CHECK(said("LightSource \"infinite\" \"integer nsamples\" 2 \"integer samples\" 3") ==
+          Messages{"a.pbrt:1:35: warning: 'integer nsamples' is not used beside another value of "
+                   "'samples'"});
+}
+
 TEST_CASE("a parameter of one value is not used with another number of them") {
     CHECK(camera_with("\"float fov\" [30 40]",
                       "a.pbrt:1:22: warning: 'fov' is not used: it takes one value, not 2")
