@@ -114,6 +114,14 @@ TEST_CASE("a curve has as many points as its basis and degree ask for") {
         "points and 3 more for each further segment, not 5");
 }
 
+TEST_CASE("a curve of an unknown basis is left out") {
+    const Frame frame = world_with(
+        "Shape \"curve\" \"string basis\" \"hermite\" \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0]",
+        "a.pbrt:1:12: error: the shape 'curve' is left out: its basis is bezier or bspline, not "
+        "'hermite'");
+    CHECK(frame.shapes.empty());
+}
+
 TEST_CASE("a ribbon has a normal more than segments, and no other curve has any") {
     const std::string curve = "Shape \"curve\" \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0] ";
     const std::string ribbon = curve + "\"string type\" \"ribbon\" ";

@@ -1,6 +1,7 @@
 // Shapes of pbrt-v3 and their parameters.
 #include <fmt/format.h>
 
+#include "core/formats/diagnostic_log.h"
 #include "core/formats/pbrt/parameters.h"
 #include "core/formats/pbrt/tables/tables.h"
 
@@ -25,7 +26,7 @@ constexpr std::array curve = {
     number("width0", same_as("width")),
     number("width1", same_as("width")),
     choice("type", "flat", "flat|ribbon|cylinder", "cylinder"),
-    choice("basis", "bezier", "bezier|bspline"),
+    string("basis", "bezier"),
     integer("degree", 3),
     also(integer("splitdepth", 3), "splitdepth", ValueType::number),
     required(list("P", ValueType::point)),
@@ -54,9 +55,14 @@ std::optional<Incompatibility> check_curve(const Parameters& p) {
     if (stated != 2 && stated != 3) {
         return incompatible(fmt::format("its degree is 2 or 3, not {}", stated));
     }
+    const std::string_view basis = p.string("basis");
+    if (basis != "bezier" && basis != "bspline") {
+        return incompatible(
+            fmt::format("its basis is bezier or bspline, not {}", in_quotes(basis)));
+    }
     const auto degree = static_cast<std::size_t>(stated);
     const std::size_t points = p.numbers("P").size() / 3;
-    if (p.string("basis") == "bspline") {
+    if (basis == "bspline") {
         if (points > degree) return check_curve_normals(p, points - degree);
         return incompatible(fmt::format("a b-spline of degree {} has {} points or more, not {}",
                                         degree, degree + 1, points));
