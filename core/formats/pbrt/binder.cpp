@@ -126,7 +126,7 @@ bool Binder::is_usable(const ParameterSpec& spec, const GivenParameter& given) {
 
 bool Binder::has_right_count(const ParameterSpec& spec, const GivenParameter& given) {
     const std::size_t count = given.count();
-    if (spec.slot == Slot::one && count != 1) {
+    if ((spec.slot == Slot::one || spec.length == 1) && count != 1) {
         log_.warn(given.where, "count", "'{}' is not used: it takes one value, not {}", given.name,
                   count);
         return false;

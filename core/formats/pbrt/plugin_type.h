@@ -57,7 +57,7 @@ struct ParameterSpec {
     std::array<Spelling, 3> others{};  ///< used, in order, if `name` is not given
     std::uint8_t other_count = 0;
     std::string_view choices{};     ///< accepted strings, separated by '|'; empty: any
-    std::uint8_t length = 0;        ///< number of values that a list must have; 0: any
+    std::uint8_t length = 0;        ///< number of values that must be given; 0: as `slot` says
     std::string_view if_unknown{};  ///< replaces a string that is no choice; empty: the default
     bool is_required = false;       ///< if it is missing the statement is left out
 

@@ -68,6 +68,14 @@ TEST_CASE("a mask is a texture or a number") {
     CHECK(mesh.number("shadowalpha") == 0);
 }
 
+TEST_CASE("a mask is not used with several numbers") {
+    const Frame frame = world_with(
+        "Shape " + triangle + "\"float alpha\" [0 1]",
+        fmt::format("a.pbrt:1:{}: warning: 'alpha' is not used: it takes one value, not 2",
+                    18 + triangle.size()));
+    CHECK(frame.shapes.at(0).plugin.parameters.number("alpha") == 1);
+}
+
 TEST_CASE("the split depth of a curve is an integer or a number") {
     const std::string curve = "\"curve\" \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0] ";
     CHECK(shape(curve + "\"integer splitdepth\" 4").integer("splitdepth") == 4);

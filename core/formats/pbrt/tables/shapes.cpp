@@ -78,8 +78,13 @@ std::optional<Incompatibility> check_curve(const Parameters& p) {
 
 constexpr ParameterSpec points = required(list("P", ValueType::point));
 constexpr ParameterSpec indices = required(list("indices", ValueType::integer));
-constexpr ParameterSpec alpha = number_texture("alpha", 1);
-constexpr ParameterSpec shadow_alpha = number_texture("shadowalpha", 1);
+/// A mask. pbrt-v3 takes the first of several numbers for materials, but not for these.
+constexpr ParameterSpec mask(std::string_view name) {
+    ParameterSpec spec = number_texture(name, 1);
+    spec.length = 1;
+    return spec;
+}
+constexpr ParameterSpec alpha = mask("alpha"), shadow_alpha = mask("shadowalpha");
 
 constexpr ParameterSpec uv =
     also(also(also(list("uv", ValueType::point2), "st"), "uv", ValueType::number), "st",
