@@ -76,6 +76,19 @@ TEST_CASE("a mask is not used with several numbers") {
     CHECK(frame.shapes.at(0).plugin.parameters.number("alpha") == 1);
 }
 
+TEST_CASE("a nurbs has points of one kind") {
+    const std::string patch =
+        "Shape \"nurbs\" \"integer nu\" 2 \"integer nv\" 2 \"integer uorder\" 2 "
+        "\"integer vorder\" 2 \"float uknots\" [0 0 1 1] \"float vknots\" [0 0 1 1] ";
+    const std::string points = "\"point P\" [0 0 0 1 0 0 0 1 0 1 1 0] ";
+    const std::string weighted = "\"float Pw\" [0 0 0 1 1 0 0 1 0 1 0 1 1 1 0 1] ";
+    CHECK(good_world(patch + points).shapes.size() == 1);
+    CHECK(good_world(patch + weighted).shapes.size() == 1);
+    CHECK(world_with(patch + weighted + points,
+                     "a.pbrt:1:12: warning: 'Pw' is not used: the points 'P' are given, too")
+              .shapes.size() == 1);
+}
+
 TEST_CASE("the split depth of a curve is an integer or a number") {
     const std::string curve = "\"curve\" \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0] ";
     CHECK(shape(curve + "\"integer splitdepth\" 4").integer("splitdepth") == 4);

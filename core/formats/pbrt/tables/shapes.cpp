@@ -103,6 +103,12 @@ constexpr std::array heightfield = {required(integer("nu")), required(integer("n
                                     required(list("Pz", ValueType::number))};
 constexpr std::array loop_subdiv = {also(integer("levels", 3), "nlevels"), indices, points,
                                     string("scheme", "loop")};
+/// Warns of weighted points that are ignored.
+std::optional<Incompatibility> check_nurbs(const Parameters& p) {
+    if (!p.is_given("P") || !p.is_given("Pw")) return std::nullopt;
+    return Incompatibility{"'Pw' is not used: the points 'P' are given, too", false};
+}
+
 constexpr std::array nurbs = {
     required(integer("nu")),
     required(integer("nv")),
@@ -130,7 +136,7 @@ constexpr std::array types = {
     PluginType{Category::shape, "plymesh", ply_mesh},
     PluginType{Category::shape, "heightfield", heightfield},
     PluginType{Category::shape, "loopsubdiv", loop_subdiv},
-    PluginType{Category::shape, "nurbs", nurbs},
+    PluginType{Category::shape, "nurbs", nurbs, {}, {}, check_nurbs},
 };
 
 }  // namespace
