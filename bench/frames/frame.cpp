@@ -51,7 +51,7 @@ Frame::Frame(const Scene& scene, const RenderSettings& settings, const FrameConf
              std::uint64_t rays_to_record)
     : scene_(scene),
       settings_(settings),
-      control_{config.deadline, config.stop},
+      control_{.stop = config.stop, .stop_at = config.deadline},
       backend_(built()),
       intersector_(scene.geometry, *backend_, chosen_backend(settings_).exact) {
     Stopwatch cold;

@@ -38,12 +38,13 @@ constexpr Cost costs[] = {{"showcase.p3f", 7.7},
 constexpr const char* framed[] = {"showcase.p3f", "features/glass.p3f", "features/meshes.p3f",
                                   "features/mirrors.p3f", "features/soft_shadows.p3f"};
 
-constexpr int quick_frame_width = 160;
-
-/// Samples per pixel of a frame; 0: the scene's own number.
+/// Width and samples per pixel of a frame; 0: the scene's own.
 struct FrameSize {
     int width, samples;
 };
+
+/// That of scene files in the quick report, which would have no time for all samples of some.
+constexpr FrameSize quick_frame{160, 4};
 
 /// The frames of this project's scenes and of the classic families.
 void add_usual_frames(FrameSize shipped, FrameSize family, Settings& s) {
@@ -107,7 +108,7 @@ Settings quick_settings() {
     s.case_seconds = 0.1;
     s.spd_scenes = {{"sphereflake", 4}, {"gears", 4}, {"mountain", 6},
                     {"rings", 7},       {"tetra", 6}, {"tree", 11}};
-    add_usual_frames({quick_frame_width, 4}, {quick_frame_width, 0}, s);
+    add_usual_frames(quick_frame, {quick_frame.width, 0}, s);
     s.frame_repeats = 1;
     s.spd_backends = all_but_reference();
     s.images = {{"showcase.p3f", 320, 180, 16, 1},
@@ -150,14 +151,14 @@ Settings full_settings() {
 }
 
 std::string add_frames(const std::vector<std::string>& paths, Settings& settings) {
-    const int width = settings.name == "quick" ? quick_frame_width : 0;
+    const FrameSize size = settings.name == "quick" ? quick_frame : FrameSize{0, 0};
     for (const std::string& path : paths) {
         const std::vector<std::string> files = files_at(path);
         if (files.empty()) return fmt::format("{}: holds no scene files", path);
         for (const std::string& file : files) {
             const std::string error = bench::check_scene_name(file);
             if (!error.empty()) return error;
-            settings.frames.push_back({FrameOrigin::given, file, 0, width, 0});
+            settings.frames.push_back({FrameOrigin::given, file, 0, size.width, size.samples});
             extend_limit(seconds_for(settings.frames.back(), settings), settings);
         }
     }

@@ -47,7 +47,7 @@ class Renderer {
     /// Returns whether to stop. However short the time is, an image has one sample of each pixel,
     /// and one that is resumed gets some more.
     bool stopped() const {
-        return (control_.stop != nullptr && control_.stop->load()) ||
+        return (control_.stop != nullptr && control_.stop->load()) || control_.stop_at.is_over() ||
                (control_.dealer != nullptr && control_.dealer->has_failed()) ||
                (is_image_ && samples_done_ > samples_resumed_ && control_.deadline.is_over());
     }

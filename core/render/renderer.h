@@ -32,6 +32,9 @@ class StateKeeper {
 struct RunControl {
     Deadline deadline{};
     const std::atomic<bool>* stop = nullptr;  ///< if set, stop soon and return what there is
+    /// Stop likewise when it is over. Unlike `deadline` it is the limit of more than this image,
+    /// which is not to have the fewer samples the more of that time has passed.
+    Deadline stop_at{};
     std::vector<RenderObserver> observers{};
     /// Called with a function that writes the film of the finished image, an ImageFilm.
     std::function<void(const std::function<void(StateWriter&)>&)> take_film{};

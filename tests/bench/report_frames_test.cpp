@@ -31,6 +31,12 @@ double seconds_of_calls() {
     return ++calls;
 }
 
+/// A clock that stands still after its first second of ten, which it has shown once.
+double late_seconds() {
+    static std::atomic<int> calls = 0;
+    return calls++ == 0 ? 0 : 9;
+}
+
 const std::string report = "exec '" ETALON_BINARY_DIR "/bin/etalon-bench' report --quick ";
 
 }  // namespace
@@ -79,6 +85,30 @@ TEST_CASE("A report's frame ends when the time is up, without figures") {
     frame_tasks(results.settings).front().run(results, {stop, deadline, [](double) {}});
     CHECK(deadline.is_over());
     CHECK(results.frames.list.empty());
+}
+
+TEST_CASE("A report's frames: given little time left, then they have all of their samples") {
+    Results results;
+    results.settings = quick_settings();
+    const FrameRequest request = results.settings.frames.front();
+    REQUIRE(request.samples == 4);
+    results.settings.frames = {request};
+    results.settings.frames.front().width = 16;
+    const std::atomic<bool> stop = false;
+    const etalon::Deadline deadline(10, late_seconds);
+    frame_tasks(results.settings).front().run(results, {stop, deadline, [](double) {}});
+    REQUIRE(results.frames.list.size() == 1);
+    CHECK(results.frames.list.front().figures.samples == 4);
+}
+
+TEST_CASE("The quick report takes a given scene's frames with as many samples as its own scenes'") {
+    const Folder f;
+    f.write("a.p3f", small_scene);
+    Settings quick = quick_settings(), full = full_settings();
+    REQUIRE(add_frames({f.path("a.p3f")}, quick).empty());
+    CHECK(quick.frames.back().samples == quick.frames.front().samples);
+    REQUIRE(add_frames({f.path("a.p3f")}, full).empty());
+    CHECK(full.frames.back().samples == 0);  // the scene's own
 }
 
 TEST_CASE("The command lines of a report are those of a shell, with its folder") {

@@ -259,6 +259,21 @@ TEST_CASE("The last pass before a deadline is as large as there is time for", "[
     CHECK_FALSE(all.next(film).has_value());
 }
 
+TEST_CASE("A limit of more than an image: given little of it left, then no samples are saved",
+          "[passes]") {
+    set_time = 0;
+    RunControl control;
+    control.stop_at = Deadline(10, [] { return set_time; });
+    set_time = 9;
+    const Rendering late = rendered(scene(), samples(scene(), 8), control);
+    CHECK(late.samples == 8);
+    CHECK(late.complete);
+    set_time = 10;
+    const Rendering over = rendered(scene(), samples(scene(), 8), control);
+    CHECK(over.samples == 0);
+    CHECK_FALSE(over.complete);
+}
+
 TEST_CASE("What was rendered before it was resumed tells nothing of the time left", "[passes]") {
     const Film film({{0, 0}, {0, 0}});
     const std::uint32_t goal = 4;

@@ -49,7 +49,9 @@ std::optional<ShippedScene> shipped_scene(const std::string& name, int width, in
 }
 
 RunControl control_of(const TaskProgress& task_progress) {
-    return {task_progress.deadline, &task_progress.stop, {{.progress = task_progress.progress}}};
+    return {.stop = &task_progress.stop,
+            .stop_at = task_progress.deadline,
+            .observers = {{.progress = task_progress.progress}}};
 }
 
 Rendered rendered(const Scene& scene, const std::string& backend, const RenderSettings& settings,
