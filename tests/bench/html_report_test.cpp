@@ -78,6 +78,22 @@ TEST_CASE("A report marks what is wrong and what is right") {
     CHECK_THAT(page, ContainsSubstring("bad\">other"));
 }
 
+TEST_CASE("A report: given curves with references of their own, then each chart names its own") {
+    Results results = sample_results();
+    ConvergenceFigures other = results.convergence.list.front();
+    other.reference = "512 samples per pixel";
+    results.convergence.list.front().reference = "2048 samples per pixel";
+    results.convergence.add(other);
+    const Figure figure = convergence_section(results).figures.front();
+    const Charts& charts = std::get<Charts>(figure.content);
+    REQUIRE(charts.charts.size() == 2);
+    CHECK(charts.charts[0].remarks ==
+          std::vector<std::string>{"The reference has 2048 samples per pixel."});
+    CHECK(charts.charts[1].remarks ==
+          std::vector<std::string>{"The reference has 512 samples per pixel."});
+    CHECK_THAT(figure.caption, !ContainsSubstring("2048"));
+}
+
 TEST_CASE("A report's bars are as long as their values") {
     const Bars bars{
         {{"g", "", "", "", {{"a", 1, 2, 0, "2", "", {}}, {"b", 2, 0.5, 0, "", "", {}}}}}};

@@ -23,7 +23,9 @@ Chart chart_of(const ConvergenceFigures& figures) {
         }
         chart.series.push_back(std::move(series));
     }
-    return {fmt::format("{}, {} × {} pixels", r.scene, r.width, r.height), line_chart(chart)};
+    return {fmt::format("{}, {} × {} pixels", r.scene, r.width, r.height),
+            line_chart(chart),
+            {fmt::format("The reference has {}.", figures.reference)}};
 }
 
 std::string scientific(double value) {
@@ -98,10 +100,9 @@ Section convergence_section(const Results& results) {
     const std::string date = results.convergence.date;
     section.figures = {
         {"Error against time",
-         fmt::format(
-             "Mean squared error to {}; means of {} seeds, whose range is shaded. Both axes "
-             "by logarithms.",
-             all.front().reference, results.settings.convergence_seeds),
+         fmt::format("Mean squared error to a reference image; means of {} seeds, whose range is "
+                     "shaded. Both axes by logarithms.",
+                     results.settings.convergence_seeds),
          command(results), date, std::move(charts)},
         {"The curves’ ends and slopes",
          "Slope is that of log error against log time; 1 / (MSE s) grows with what a machine is "
