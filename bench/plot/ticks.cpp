@@ -27,9 +27,10 @@ std::string power_of_ten(int exponent) {
     if (exponent == 0) return "1";
     if (exponent == 1) return "10";
     std::string text = exponent < 0 ? "10⁻" : "10";
-    const auto size = static_cast<std::size_t>(std::abs(exponent));
-    if (size >= 10) text += digits[size / 10 % 10];
-    return text + digits[size % 10];
+    for (const char digit : std::to_string(std::abs(exponent))) {
+        text += digits[static_cast<std::size_t>(digit - '0')];
+    }
+    return text;
 }
 
 std::vector<Tick> log_ticks(double low, double high) {

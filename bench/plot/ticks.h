@@ -11,7 +11,7 @@ struct Tick {
     std::string text;
 };
 
-/// Returns "1", "10", "10³", "10⁻²": ten to the power of a number of at most two digits.
+/// Returns "1", "10", "10³", "10⁻²".
 std::string power_of_ten(int exponent);
 
 /// Returns the ticks of a logarithmic axis from 10^low to 10^high: about two to twelve, powers of

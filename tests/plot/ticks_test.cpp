@@ -27,6 +27,7 @@ TEST_CASE("Ticks are written as people read them") {
     CHECK(power_of_ten(1) == "10");
     CHECK(power_of_ten(-2) == "10⁻²");
     CHECK(power_of_ten(17) == "10¹⁷");
+    CHECK(power_of_ten(-120) == "10⁻¹²⁰");
     CHECK(log_ticks(-0.1, 0.1).front().text == "0.8");
     CHECK(log_ticks(-6, -2).front().text == "10⁻⁶");
     CHECK(log_ticks(-6, -2).back().text == "0.01");
