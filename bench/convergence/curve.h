@@ -38,6 +38,7 @@ struct Curve {
     std::string sampler, integrator, backend;
     std::vector<Point> points{};
     std::optional<Fit> fit{};  ///< nothing if there are too few points
+    int seeds = 0;             ///< number of images that the points are the means of
     double preparation = 0;    ///< CPU seconds before rendering: starting, reading, building
     /// Reasons, each beginning with the path, why images of the scene were replaced.
     std::vector<std::string> replaced_images{};

@@ -60,6 +60,7 @@ nlohmann::ordered_json json_of(const Curve& curve) {
             {"sampler", curve.sampler},
             {"backend", curve.backend},
             {"integrator", curve.integrator},
+            {"seeds", curve.seeds},
             {"preparation_cpu_seconds", curve.preparation},
             {"slope", json_of(curve.fit, &Fit::slope)},
             {"floor", json_of(curve.fit, &Fit::floor)},
@@ -68,7 +69,9 @@ nlohmann::ordered_json json_of(const Curve& curve) {
 }
 
 std::string table_of(const Curve& curve) {
-    std::string text = curve.name + "\n" + table::heading("", columns(), table::Detail::narrow);
+    std::string text =
+        fmt::format("{}; {} seed{}\n", curve.name, curve.seeds, curve.seeds == 1 ? "" : "s") +
+        table::heading("", columns(), table::Detail::narrow);
     for (const Point& p : curve.points) {
         text += table::line_of("", p, columns(), table::Detail::narrow);
     }

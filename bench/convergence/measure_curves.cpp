@@ -184,7 +184,9 @@ std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
         std::vector<std::vector<Point>> seeds;
         for (int seed = 0; seed < config.seeds && !run.stop; ++seed) {
             SeedRun seed_run(prepared, settings, reference, config, run.stop);
-            seeds.push_back(seed_run.points(curve.sampler, static_cast<std::uint32_t>(seed)));
+            auto points = seed_run.points(curve.sampler, static_cast<std::uint32_t>(seed));
+            if (points.empty()) break;
+            seeds.push_back(std::move(points));
             curve.preparation =
                 config.reading_seconds + prepared.build_seconds() + seed_run.integrator_seconds();
             curve.replaced_images = seed_run.replaced_images();
@@ -192,11 +194,13 @@ std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
             const auto before = static_cast<double>(done.size());
             run.progress((before + part) / static_cast<double>(curves.size()));
         }
-        if (run.stop) break;
+        if (seeds.empty()) break;
+        curve.seeds = static_cast<int>(seeds.size());
         curve.points = mean_of(seeds);
         curve.fit = fit(curve.points);
         done.push_back(std::move(curve));
         if (run.after_curve) run.after_curve(done.back());
+        if (run.stop) break;
     }
     return done;
 }

@@ -43,7 +43,8 @@ ReferenceImage render_reference(const Scene& scene, const RenderSettings& settin
                                 const ConvergenceConfig& config, const RunProgress& run);
 
 /// Returns the curves, with the integrator of the settings, of all samplers with the first backend,
-/// and of the last sampler with the others. Curves that a stop leaves unfinished are left out.
+/// and of the last sampler with the others. A stop leaves the last one with fewer seeds, and out
+/// if it has none.
 std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
                            const ReferenceImage& reference, const ConvergenceConfig& config,
                            const RunProgress& run);

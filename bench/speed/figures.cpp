@@ -20,6 +20,15 @@ std::vector<Runs> runs_of(const std::vector<Figures>& all, const std::string& tr
 }
 
 template <class Figures>
+void keep(std::vector<Figures>& all, int repeats) {
+    for (Figures& figures : all) {
+        for (Runs& runs : figures.by_threads) {
+            runs.repeats.resize(static_cast<std::size_t>(repeats));
+        }
+    }
+}
+
+template <class Figures>
 void compare(std::vector<Figures>& all) {
     const std::vector<Runs> fast = runs_of(all, baseline), robust = runs_of(all, robust_baseline);
     for (Figures& figures : all) {
@@ -48,6 +57,14 @@ std::vector<double> Runs::cpu() const {
 
 std::vector<double> Runs::wall() const {
     return all_of<&Duration::wall>(repeats);
+}
+
+void keep_repeats(std::vector<BuildFigures>& all, int repeats) {
+    keep(all, repeats);
+}
+
+void keep_repeats(std::vector<RayFigures>& all, int repeats) {
+    keep(all, repeats);
 }
 
 void compare_with_baselines(std::vector<BuildFigures>& all) {

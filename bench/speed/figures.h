@@ -70,6 +70,10 @@ struct SceneFigures {
     std::vector<KindFigures> kinds;
 };
 
+/// Leaves only the first so many repeats of each tracer, those that all of them have.
+void keep_repeats(std::vector<BuildFigures>& all, int repeats);
+void keep_repeats(std::vector<RayFigures>& all, int repeats);
+
 /// Fills in the comparisons of each tracer's repeats with the baselines', and with its own on one
 /// thread. The baselines must be among them.
 void compare_with_baselines(std::vector<BuildFigures>& all);

@@ -40,11 +40,11 @@ std::optional<KindFigures> RayMeasurement::measure(const RaySet& set,
     Answers answers(tracers_.size(), std::vector<Answer>(set.rays.size(), missed));
     KindFigures figures{set.kind, set.rays.size(), set.occlusion, time(set, is_over, answers)};
     if (figures.tracers.empty()) return std::nullopt;
-    find_errors(set, answers, figures);
+    find_errors(set, answers, is_over, figures);
     return figures;
 }
 
-/// Returns nothing if it was stopped before the last repeat.
+/// Returns nothing if it was over before the first repeat was complete.
 std::vector<RayFigures> RayMeasurement::time(const RaySet& set,
                                              const std::function<bool()>& is_over,
                                              Answers& answers) const {
@@ -60,8 +60,10 @@ std::vector<RayFigures> RayMeasurement::time(const RaySet& set,
         Runs& runs = all[i].by_threads[k % numbers_of_threads];
         runs.repeats.push_back(trace(intersector, set, runs.threads, answers[i]));
     };
-    if (!alternate(config_.repeats, tracers_.size() * numbers_of_threads, is_over, trace_once))
-        return {};
+    const int repeats =
+        alternate(config_.repeats, tracers_.size() * numbers_of_threads, is_over, trace_once);
+    if (repeats == 0) return {};
+    keep_repeats(all, repeats);
     compare_with_baselines(all);
     return all;
 }
@@ -77,8 +79,9 @@ std::vector<Answer> RayMeasurement::answers_of(const std::string& name, const Ra
 }
 
 OracleReferences RayMeasurement::oracle_references(const RaySet& set,
-                                                   const std::vector<std::size_t>& places) const {
-    return {setup_, oracle_, set, places, config_.oracle_seconds};
+                                                   const std::vector<std::size_t>& places,
+                                                   const std::function<bool()>& is_over) const {
+    return {setup_, oracle_, set, places, config_.oracle_seconds, is_over};
 }
 
 /// Returns the disputed rays in an order of which every prefix is spread evenly over them, as time
@@ -91,11 +94,11 @@ std::vector<std::size_t> RayMeasurement::disputed_rays(const RaySet& set, const 
 }
 
 void RayMeasurement::find_errors(const RaySet& set, const Answers& answers,
-                                 KindFigures& figures) const {
+                                 const std::function<bool()>& is_over, KindFigures& figures) const {
     const std::vector<Answer> first = answers_of(default_backend, set, answers);
     const std::vector<Answer> second = answers_of(second_backend, set, answers);
-    const OracleReferences sample = oracle_references(set, scattered(set.rays.size()));
-    const OracleReferences disputed = oracle_references(set, disputed_rays(set, answers));
+    const OracleReferences sample = oracle_references(set, scattered(set.rays.size()), is_over);
+    const OracleReferences disputed = oracle_references(set, disputed_rays(set, answers), is_over);
     for (std::size_t i = 0; i < tracers_.size(); ++i) {
         Errors& errors = figures.tracers[i].errors;
         errors.reference = reference_of(tracers_[i].name());

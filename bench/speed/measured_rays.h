@@ -19,7 +19,8 @@ class RayMeasurement {
     /// Returns the backend that decides where rays start.
     const Intersector& exact() const { return *tracer_named(default_backend).intersector; }
 
-    /// Measures a set of rays; nothing if it was over before the last repeat.
+    /// Measures a set of rays, with fewer repeats and checked rays when it is over; nothing if it
+    /// was over before the first repeat was complete.
     std::optional<KindFigures> measure(const RaySet& set,
                                        const std::function<bool()>& is_over) const;
 
@@ -32,9 +33,10 @@ class RayMeasurement {
     std::vector<Answer> answers_of(const std::string& name, const RaySet& set,
                                    const Answers& answers) const;
     static std::vector<std::size_t> disputed_rays(const RaySet& set, const Answers& answers);
-    OracleReferences oracle_references(const RaySet& set,
-                                       const std::vector<std::size_t>& places) const;
-    void find_errors(const RaySet& set, const Answers& answers, KindFigures& figures) const;
+    OracleReferences oracle_references(const RaySet& set, const std::vector<std::size_t>& places,
+                                       const std::function<bool()>& is_over) const;
+    void find_errors(const RaySet& set, const Answers& answers,
+                     const std::function<bool()>& is_over, KindFigures& figures) const;
 
     const hard::CaseSetup& setup_;
     const std::vector<TimedTracer>& tracers_;

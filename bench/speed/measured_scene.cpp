@@ -38,11 +38,12 @@ SceneFigures measure_scene(const std::string& name, Scene scene, const Imath::V2
     figures.builds = measure_builds(tracers, setup.scene, config, observer.is_over);
     if (figures.builds.empty()) return figures;
     observer.show(figures);
-    if (config.kinds.empty()) return figures;
+    if (config.kinds.empty() || observer.is_over()) return figures;
     const RayMeasurement measurement(setup, tracers, config);
     for (const char* kind : ray_kinds) {
         if (std::find(config.kinds.begin(), config.kinds.end(), kind) == config.kinds.end())
             continue;
+        if (observer.is_over()) break;
         const RaySet set =
             make_ray_set(kind, setup.scene, resolution, measurement.exact(), config.max_rays);
         if (set.rays.empty()) continue;

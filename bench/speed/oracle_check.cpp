@@ -17,12 +17,12 @@ std::vector<std::size_t> scattered(std::size_t count) {
 
 OracleReferences::OracleReferences(const hard::CaseSetup& setup, const Oracle& oracle,
                                    const RaySet& set, const std::vector<std::size_t>& places,
-                                   double seconds)
+                                   double seconds, const std::function<bool()>& is_over)
     : set_(set) {
     Stopwatch watch;
     double spent = 0;
     for (const std::size_t place : places) {
-        if (!rays_.empty() && spent >= seconds) return;
+        if (!rays_.empty() && (spent >= seconds || is_over())) return;
         const Ray& ray = set.rays[place];
         rays_.push_back(place);
         if (set.occlusion) {

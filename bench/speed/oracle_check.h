@@ -1,6 +1,8 @@
 // Checks by the oracle of as many rays as time allows.
 #pragma once
 
+#include <functional>
+
 #include "bench/accuracy/oracle_reference.h"
 #include "bench/speed/tracing.h"
 
@@ -25,9 +27,12 @@ std::vector<std::size_t> scattered(std::size_t count);
 class OracleReferences {
   public:
     /// Asks the oracle about the rays with these indices in the set, in this order, for so many CPU
-    /// seconds, but at least about one. The setup and the set must outlive this.
-    OracleReferences(const hard::CaseSetup& setup, const Oracle& oracle, const RaySet& set,
-                     const std::vector<std::size_t>& places, double seconds);
+    /// seconds and until it is over, but at least about one. The setup and the set must outlive
+    /// this.
+    OracleReferences(
+        const hard::CaseSetup& setup, const Oracle& oracle, const RaySet& set,
+        const std::vector<std::size_t>& places, double seconds,
+        const std::function<bool()>& is_over = [] { return false; });
 
     /// Checks a tracer's answers to the whole set; see TracerEntry for `exact`.
     OracleCheck check(std::span<const Answer> answers, bool exact) const;

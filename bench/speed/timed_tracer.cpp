@@ -54,7 +54,9 @@ std::vector<BuildFigures> measure_builds(std::vector<TimedTracer>& tracers, cons
         const Duration seconds = time_build(tracers[tracer], scene, threads[run]);
         all[tracer].by_threads[run].repeats.push_back(seconds);
     };
-    if (!alternate(config.repeats, tracers.size() * threads.size(), is_over, build)) return {};
+    const int repeats = alternate(config.repeats, tracers.size() * threads.size(), is_over, build);
+    if (repeats == 0) return {};
+    keep_repeats(all, repeats);
     for (std::size_t i = 0; i < tracers.size(); ++i) {
         const Intersector& built = *tracers[i].intersector;
         all[i].tracer = tracers[i].name();

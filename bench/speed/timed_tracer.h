@@ -24,7 +24,8 @@ struct TimedTracer {
 };
 
 /// Builds each tracer's intersector repeatedly and keeps the last one. A single thread is pinned;
-/// for more, oneTBB decides where they run. Returns nothing if it was over before the last repeat.
+/// for more, oneTBB decides where they run. When it is over there are fewer repeats; returns
+/// nothing without any.
 std::vector<BuildFigures> measure_builds(std::vector<TimedTracer>& tracers, const Scene& scene,
                                          const SpeedConfig& config,
                                          const std::function<bool()>& is_over);

@@ -65,6 +65,7 @@ SpdFigures spd() {
 convergence::Curve curve(const std::string& name, double slope) {
     convergence::Curve c;
     c.name = c.sampler = c.backend = name;
+    c.seeds = 3;
     for (double samples = 1; samples <= 16; samples *= 2) {
         const double error = std::pow(samples, -slope);
         c.points.push_back({samples, 0.1 * samples, error, error, 0.9 * error, 1.2 * error});

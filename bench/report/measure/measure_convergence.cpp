@@ -23,10 +23,10 @@ void measure(const ConvergenceRequest& request, Results& results,
     const convergence::ReferenceImage reference = render_reference(
         scene, settings, config, {task_progress.stop, task_progress.part(0, 0.5).progress});
     if (task_progress.is_over()) return;
-    results.convergence.add(
-        {request, reference.description,
-         convergence::measure(scene, settings, reference, config,
-                              {task_progress.stop, task_progress.part(0.5, 1).progress})});
+    auto curves = convergence::measure(scene, settings, reference, config,
+                                       {task_progress.stop, task_progress.part(0.5, 1).progress});
+    if (curves.empty()) return;
+    results.convergence.add({request, reference.description, std::move(curves)});
 }
 
 /// Estimates the time: the reference is rendered by all threads, the curves by one.

@@ -1,6 +1,8 @@
 // Section on convergence: the error of images against time.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bench/plot/line_chart.h"
 #include "bench/report/command_lines.h"
 #include "bench/report/formatting.h"
@@ -75,6 +77,16 @@ Table points_of(const std::vector<ConvergenceFigures>& all) {
     return table;
 }
 
+/// Returns "3 seeds", or "1 to 3 seeds" where the last curve was stopped.
+std::string seeds_of(const std::vector<ConvergenceFigures>& all, int wanted) {
+    int least = wanted;
+    for (const ConvergenceFigures& figures : all) {
+        for (const Curve& curve : figures.curves) least = std::min(least, curve.seeds);
+    }
+    return least < wanted ? fmt::format("{} to {} seeds", least, wanted)
+                          : fmt::format("{} seeds", wanted);
+}
+
 std::string command(const Results& results) {
     std::string all;
     for (const ConvergenceFigures& figures : results.convergence.list) {
@@ -100,9 +112,9 @@ Section convergence_section(const Results& results) {
     const std::string date = results.convergence.date;
     section.figures = {
         {"Error against time",
-         fmt::format("Mean squared error to a reference image; means of {} seeds, whose range is "
+         fmt::format("Mean squared error to a reference image; means of {}, whose range is "
                      "shaded. Both axes by logarithms.",
-                     results.settings.convergence_seeds),
+                     seeds_of(all, results.settings.convergence_seeds)),
          command(results), date, std::move(charts)},
         {"The curves’ ends and slopes",
          "Slope is that of log error against log time; 1 / (MSE s) grows with what a machine is "
