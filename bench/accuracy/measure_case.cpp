@@ -8,15 +8,11 @@
 #include "app/common/backends.h"
 #include "bench/accuracy/spawned_rays.h"
 #include "bench/accuracy/timed_tracers.h"
-#include "core/numerics/median.h"
+#include "bench/statistics/statistics.h"
 #include "core/parallel/parallel.h"
 
 namespace etalon::accuracy {
 namespace {
-
-double median(const std::vector<double>& values) {
-    return values.empty() ? 0 : median_of(values);
-}
 
 /// The seed is a hash of the row's name, so that rows can be added and removed without changing the
 /// rays of others.
@@ -148,7 +144,7 @@ class Measurement {
         double unit = 0;  // unit of cost: the time of the first textbook kernel
         for (std::size_t k = 0; k < tracers_.size(); ++k) {
             const TracerEntry& e = tracers_[k];
-            const double ns = median(results_[k].nanoseconds);
+            const double ns = statistics::median(results_[k].nanoseconds);
             if (unit == 0 && !e.refined) unit = ns;
             rows.push_back({case_.id, case_.variant, case_.shape,
                             criteria[static_cast<int>(case_.criterion)], e.tracer->name(), e.exact,

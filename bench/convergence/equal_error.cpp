@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/speed/statistics.h"
+#include "bench/statistics/statistics.h"
 
 namespace etalon::convergence {
 namespace {
@@ -30,7 +30,7 @@ double mean_ratio(const std::vector<EqualError>& points, bool extrapolated) {
     for (const EqualError& p : points) {
         if (p.own.extrapolated == extrapolated) ratios.push_back(p.ratio);
     }
-    return speed::geometric_mean(ratios);
+    return statistics::geometric_mean(ratios);
 }
 
 CurveComparison compare(const Curve& own, const ForeignCurve& foreign) {

@@ -6,7 +6,7 @@
 #include "app/common/backends.h"
 #include "app/common/stopwatch.h"
 #include "bench/frames/process_start.h"
-#include "bench/speed/statistics.h"
+#include "bench/statistics/statistics.h"
 #include "core/image/io.h"
 #include "core/integrators/integrators.h"
 
@@ -101,7 +101,7 @@ FrameFigures Frame::medians() const {
     const auto median_of = [&](double Repeat::*part) {
         std::vector<double> values;
         for (const Repeat& repeat : repeats_) values.push_back(repeat.*part);
-        return speed::median(values);
+        return statistics::median(values);
     };
     FrameFigures f;
     f.build = median_of(&Repeat::build);

@@ -26,9 +26,9 @@ std::string three_digits(double value) {
     return magnitude >= 0.000995 ? fmt::format("{:.3f}", value) : fmt::format("{:.1e}", value);
 }
 
-std::string times(const speed::Estimate& ratio) {
+std::string times(const statistics::Estimate& ratio) {
     const std::string text = "×" + three_digits(ratio.median);
-    return ratio.spread > 0 ? fmt::format("{} ± {:.2f}", text, ratio.spread) : text;
+    return ratio.spread > 0 ? fmt::format("{} ± {:.2f}", text, *ratio.spread) : text;
 }
 
 std::string duration(double seconds) {

@@ -7,7 +7,7 @@
 
 #include "app/common/units.h"
 #include "bench/report/content.h"
-#include "bench/speed/statistics.h"
+#include "bench/statistics/statistics.h"
 
 namespace etalon::bench_report {
 
@@ -18,7 +18,7 @@ std::string count_of(std::uint64_t n, const std::string& what);
 std::string three_digits(double value);
 
 /// Returns "×1.02 ± 0.03"; without the spread if there is none.
-std::string times(const speed::Estimate& ratio);
+std::string times(const statistics::Estimate& ratio);
 
 /// Returns "1.2 s", "35 s", "12 min", "1 h 5 min".
 std::string duration(double seconds);

@@ -35,10 +35,10 @@ void compare(std::vector<Figures>& all) {
         const Runs alone = figures.by_threads.front();
         for (std::size_t k = 0; k < figures.by_threads.size(); ++k) {
             Runs& runs = figures.by_threads[k];
-            runs.ratio = quotient(fast.at(k).cpu(), runs.cpu());
-            runs.ratio_robust = quotient(robust.at(k).cpu(), runs.cpu());
-            runs.cpu_scaling = quotient(alone.cpu(), runs.cpu());
-            runs.wall_scaling = quotient(alone.wall(), runs.wall());
+            runs.ratio = statistics::quotient(fast.at(k).cpu(), runs.cpu());
+            runs.ratio_robust = statistics::quotient(robust.at(k).cpu(), runs.cpu());
+            runs.cpu_scaling = statistics::quotient(alone.cpu(), runs.cpu());
+            runs.wall_scaling = statistics::quotient(alone.wall(), runs.wall());
         }
     }
 }

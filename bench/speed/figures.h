@@ -7,10 +7,12 @@
 #include "app/common/stopwatch.h"
 #include "bench/speed/disagreement.h"
 #include "bench/speed/oracle_check.h"
-#include "bench/speed/statistics.h"
+#include "bench/statistics/statistics.h"
 #include "core/intersect/backend_roles.h"
 
 namespace etalon::speed {
+
+using statistics::Estimate, statistics::estimate, statistics::geometric_mean, statistics::median;
 
 /// Names of the tracers with which every other is compared, in the same run.
 inline constexpr const char* baseline = baseline_backend;

@@ -60,6 +60,17 @@ TEST_CASE("Given rays of both kinds of query, the columns line up with their hea
     }
 }
 
+TEST_CASE("Given a single repeat, a ratio has no spread") {
+    for (const bool is_known : {true, false}) {
+        std::vector<Runs> runs = runs_of({1}, 0.125);
+        if (!is_known) runs.front().ratio.spread.reset();
+        const KindFigures kind{"camera", 100'000, false, {{"bvh", runs, {}}}};
+        const std::string line = lines_with("camera ", table_of(kind, Detail::narrow)).front();
+        CHECK((line.find(" 0.125 ") != std::string::npos) == is_known);
+        CHECK((line.find(" 2.000     - ") != std::string::npos) != is_known);
+    }
+}
+
 TEST_CASE("Given two numbers of threads, errors stand in the line of the first") {
     Errors errors;
     errors.reference = "embree-user";

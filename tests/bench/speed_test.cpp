@@ -60,7 +60,7 @@ TEST_CASE("speed gives every figure its ratios and every speed its errors") {
         for (const char* kind : {"camera", "bounce", "shadow", "random"}) {
             const json& rays = scene["rays"].at(kind).at(who);
             for (const char* key : {"mrays_per_s", "ratio", "ratio_robust"}) CHECK(rays[key] > 0);
-            CHECK(rays["spread"] == 0);  // of one repeat
+            CHECK(rays["spread"].is_null());  // of one repeat
             CHECK(rays["repeats"]["cpu_seconds"].size() == 1);
             CHECK(rays["errors"]["reference"] == reference);
             CHECK(rays["errors"]["rays"] > 0);

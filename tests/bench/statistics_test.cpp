@@ -1,4 +1,4 @@
-#include "bench/speed/statistics.h"
+#include "bench/statistics/statistics.h"
 
 #include "bench/speed/alternate.h"
 #include "bench/speed/figures.h"
@@ -6,6 +6,7 @@
 
 using namespace etalon;
 using namespace etalon::speed;
+using statistics::quantile;
 
 namespace {
 
@@ -28,6 +29,7 @@ TEST_CASE("Quantiles are those of the sorted values, between neighbours by propo
     CHECK(median({7}) == 7);
     CHECK(median({}) == 0);
     CHECK(estimate(values).spread == 2);
+    CHECK_FALSE(estimate({7}).spread.has_value());
 }
 
 TEST_CASE("A geometric mean treats twice as fast and half as fast alike") {

@@ -3,15 +3,10 @@
 #include <algorithm>
 
 #include "bench/accuracy/report/cases.h"
+#include "bench/statistics/statistics.h"
 
 namespace etalon::accuracy {
 namespace {
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
 
 std::string unit_of(const std::vector<CaseRows>& cases) {
     for (const CaseRows& c : cases) {
@@ -49,7 +44,7 @@ Point point_of(const std::string& tracer, const std::vector<CaseRows>& cases,
         }
         point.exact = row->exact;
     }
-    point.cost = costs.empty() ? 0 : median(std::move(costs));
+    point.cost = statistics::median(costs);
     return point;
 }
 

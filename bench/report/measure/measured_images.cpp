@@ -47,7 +47,7 @@ void add(const std::string& title, const Bytes& rgb, ImageFigures& figures) {
 
 /// The brightest colour is the 99th percentile: a few extreme pixels would make all others dark.
 void add_cost(const std::string& title, const PixelPlane& cost, ImageFigures& figures) {
-    const double white = speed::quantile(cost.values, 0.99);
+    const double white = statistics::quantile(cost.values, 0.99);
     const double mean = std::reduce(cost.values.begin(), cost.values.end()) /
                         static_cast<double>(cost.values.size());
     add(fmt::format("{}, mean {}, pale {}", title, three_digits(mean), three_digits(white)),

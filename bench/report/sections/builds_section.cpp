@@ -25,7 +25,7 @@ BarGroup times_of(const SceneFigures& scene) {
         const Runs& runs = b.by_threads.front();
         const Estimate seconds = estimate(runs.cpu());
         group.bars.push_back({b.tracer, colour_of(b.tracer), 1e3 * seconds.median,
-                              1e3 * seconds.spread, three_digits(1e3 * seconds.median),
+                              1e3 * seconds.spread.value_or(0), three_digits(1e3 * seconds.median),
                               times(runs.ratio), with_most_threads(b, group)});
     }
     return group;

@@ -57,7 +57,7 @@ Table means_of(const std::vector<ForeignFigures>& compared) {
         const auto [least, most] = std::ranges::minmax(r.ratios);
         table.rows.push_back({{r.program},
                               {std::to_string(r.ratios.size())},
-                              {"×" + three_digits(speed::geometric_mean(r.ratios))},
+                              {"×" + three_digits(statistics::geometric_mean(r.ratios))},
                               {"×" + three_digits(least)},
                               {"×" + three_digits(most)}});
     }

@@ -42,7 +42,7 @@ Bar bar_of(const KindFigures& kind, const RayFigures& r) {
     return {r.tracer,
             colour_of(r.tracer),
             speed.median,
-            speed.spread,
+            speed.spread.value_or(0),
             three_digits(speed.median),
             times(runs.ratio),
             wrong_of(sampled, disputed)};
@@ -144,7 +144,7 @@ std::vector<Cell> row_of(const SceneFigures& scene, const KindFigures& kind, con
             {three_digits(rate(kind, runs.cpu()))},
             {three_digits(rate(kind, runs.wall()))},
             {three_digits(runs.ratio.median)},
-            {fmt::format("{:.3f}", runs.ratio.spread)},
+            {runs.ratio.spread ? fmt::format("{:.3f}", *runs.ratio.spread) : "–"},
             {three_digits(runs.ratio_robust.median)},
             {three_digits(runs.wall_scaling.median)},
             errors(other_hits(r)),

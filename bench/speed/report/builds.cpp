@@ -52,7 +52,7 @@ std::string table_of(const std::vector<BuildFigures>& builds, Detail detail) {
 
 void explain_builds(Detail detail, table::Legend& legend) {
     table::explain(build_columns(), detail, legend);
-    legend.add("-", "does not apply");
+    legend.add("-", meaning::nothing);
 }
 
 }  // namespace etalon::speed

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 
 #include "bench/accuracy/report/numbers.h"
@@ -38,8 +39,9 @@ std::string ratio(const Line& line) {
 
 template <class Line>
 std::string spread(const Line& line) {
-    const double value = line.runs.ratio.spread;
-    return value < 9.9995 ? fmt::format("{:.3f}", value) : accuracy::brief(value);
+    const std::optional<double> value = line.runs.ratio.spread;
+    if (!value) return "-";
+    return *value < 9.9995 ? fmt::format("{:.3f}", *value) : accuracy::brief(*value);
 }
 
 template <class Line, Estimate Runs::*Which>
@@ -52,6 +54,7 @@ namespace meaning {
 inline constexpr const char* builtin = "times as fast as embree-builtin, in CPU time";
 inline constexpr const char* robust = "times as fast as embree-builtin-robust, in CPU time";
 inline constexpr const char* spread = "how far apart the middle half of the repeats' ratios is";
+inline constexpr const char* nothing = "does not apply, or is not known from one repeat";
 inline constexpr const char* cpu_scaling = "CPU seconds on one thread over those on all of these";
 inline constexpr const char* wall_scaling = "seconds on one thread over seconds on these";
 inline constexpr const char* sampled = "rays, spread evenly over all, that the oracle checked";

@@ -141,7 +141,7 @@ std::string table_of(const KindFigures& kind, Detail detail) {
 void explain_rays(Detail detail, table::Legend& legend) {
     table::explain(ray_columns(), detail, legend);
     legend.add(".", "none");
-    legend.add("-", "does not apply");
+    legend.add("-", meaning::nothing);
 }
 
 }  // namespace etalon::speed

@@ -9,14 +9,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Returns null for an unknown value.
+Json json_of(const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+}
+
 /// Writes the timings of builds or rays.
 Json json_of(const Runs& runs) {
     return {{"cpu_seconds", median(runs.cpu())},
             {"wall_seconds", median(runs.wall())},
             {"ratio", runs.ratio.median},
-            {"spread", runs.ratio.spread},
+            {"spread", json_of(runs.ratio.spread)},
             {"ratio_robust", runs.ratio_robust.median},
-            {"spread_robust", runs.ratio_robust.spread},
+            {"spread_robust", json_of(runs.ratio_robust.spread)},
             {"cpu_scaling", runs.cpu_scaling.median},
             {"wall_scaling", runs.wall_scaling.median},
             {"repeats", {{"cpu_seconds", runs.cpu()}, {"wall_seconds", runs.wall()}}}};

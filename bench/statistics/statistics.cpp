@@ -1,9 +1,9 @@
-#include "bench/speed/statistics.h"
+#include "bench/statistics/statistics.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace etalon::speed {
+namespace etalon::statistics {
 
 double quantile(std::vector<double> values, double q) {
     if (values.empty()) return 0;
@@ -15,6 +15,7 @@ double quantile(std::vector<double> values, double q) {
 }
 
 Estimate estimate(const std::vector<double>& values) {
+    if (values.size() < 2) return {median(values), std::nullopt};
     return {median(values), quantile(values, 0.75) - quantile(values, 0.25)};
 }
 
@@ -33,4 +34,4 @@ double geometric_mean(const std::vector<double>& values) {
     return std::exp(sum / static_cast<double>(values.size()));
 }
 
-}  // namespace etalon::speed
+}  // namespace etalon::statistics

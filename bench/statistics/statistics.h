@@ -1,13 +1,16 @@
-// Statistics of a few repeats.
+// Statistics of a few measurements.
 #pragma once
 
+#include <optional>
 #include <vector>
 
-namespace etalon::speed {
+namespace etalon::statistics {
 
 /// Returns the quantile `q` of the values, linearly interpolated; 0 if there are none.
 double quantile(std::vector<double> values, double q);
 
+/// Returns the median, the mean of the two in the middle if their number is even; 0 if there are
+/// none.
 inline double median(const std::vector<double>& values) {
     return quantile(values, 0.5);
 }
@@ -15,7 +18,7 @@ inline double median(const std::vector<double>& values) {
 /// A median and the interquartile range.
 struct Estimate {
     double median = 0;
-    double spread = 0;  ///< interquartile range
+    std::optional<double> spread;  ///< interquartile range; unknown of fewer than two values
 };
 
 Estimate estimate(const std::vector<double>& values);
@@ -26,4 +29,4 @@ Estimate quotient(const std::vector<double>& a, const std::vector<double>& b);
 /// Returns the geometric mean; 0 if there are no values.
 double geometric_mean(const std::vector<double>& values);
 
-}  // namespace etalon::speed
+}  // namespace etalon::statistics
