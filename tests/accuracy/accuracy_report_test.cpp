@@ -62,6 +62,17 @@ bool is_written(const Distribution& d, const nlohmann::ordered_json& json) {
 
 }  // namespace
 
+TEST_CASE("A tracer without a hit has no error of t in the table") {
+    Row missing = row("SPH-1", "sphere", "bvh", 1e-9, 0, 9.3);
+    missing.stats = ErrorStats();
+    missing.stats.rays = 1000000;
+    const auto cells = [](const Row& r) {
+        return words(lines_of_tracers(table_of({r}, Detail::narrow, "")).front());
+    };
+    CHECK(cells(missing)[6] == "-");
+    CHECK(cells(row("SPH-1", "sphere", "bvh", 1e-9, 0, 9.3))[6] == "1e-9");
+}
+
 TEST_CASE("A brief number takes at most six characters and keeps its size") {
     for (int exponent = -300; exponent <= 300; ++exponent) {
         for (const double digits : {1.0, 1.25, 5.123, 9.96, 9.9999}) {

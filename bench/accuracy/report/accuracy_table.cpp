@@ -27,12 +27,14 @@ std::string wrong(const Row& row) {
 
 template <Distribution ErrorStats::*Values, int Percent>
 std::string quantile(const Row& row) {
-    return brief((row.stats.*Values).quantile(Percent / 100.0));
+    const Distribution& values = row.stats.*Values;
+    return values.count() > 0 ? brief(values.quantile(Percent / 100.0)) : "-";
 }
 
 template <Distribution ErrorStats::*Values>
 std::string largest(const Row& row) {
-    return brief((row.stats.*Values).max());
+    const Distribution& values = row.stats.*Values;
+    return values.count() > 0 ? brief(values.max()) : "-";
 }
 
 std::string nanoseconds(const Row& row) {
@@ -130,7 +132,7 @@ std::string legend(Detail detail) {
     table::Legend legend;
     table::explain(columns(), detail, legend);
     legend.add(".", "none");
-    legend.add("-", "not looked at in this case");
+    legend.add("-", "not looked at in this case, or of no hit");
     legend.add("(oracle)", "hits are compared with the oracle's");
     legend.add("(enclosed)", "rays start inside a closed surface");
     legend.add("(spawned)", "rays start where one hit a surface");
