@@ -5,6 +5,7 @@
 
 #include "app/common/backends.h"
 #include "app/common/stopwatch.h"
+#include "bench/frames/fill_film.h"
 #include "bench/frames/process_start.h"
 #include "bench/statistics/statistics.h"
 #include "core/image/io.h"
@@ -21,19 +22,10 @@ class Black : public Integrator {
     }
 };
 
-/// Returns the seconds that adding so many samples to a film takes.
-double add_samples(const Film& like) {
-    Film film(like.window());
-    Stopwatch watch;
-    const Imath::Box2i& w = like.window();
-    for (int y = w.min.y; y <= w.max.y; ++y) {
-        for (int x = w.min.x; x <= w.max.x; ++x) {
-            for (std::uint32_t n = like.counts()[like.index(x, y)]; n-- > 0;) {
-                film.add(x, y, Color(0.5F));
-            }
-        }
-    }
-    return watch.lap().cpu;
+/// Returns the seconds of adding the samples of an image to its film.
+double film_seconds(const RenderSettings& settings, const Film& image) {
+    ImageFilm film(settings.window(), settings);
+    return fill_film(film, image);
 }
 
 RenderedImage image_of(const Film& film) {
@@ -72,7 +64,7 @@ std::string Frame::measure_again(const FrameConfig& config) {
     rendered(*integrator_);
     r.render = watch.lap().cpu;
     r.intersection = recorded_->replay();
-    r.film = add_samples(first_->film);
+    r.film = film_seconds(settings_, first_->film);
     watch.lap();
     rendered(Black());
     r.camera = watch.lap().cpu - r.film;

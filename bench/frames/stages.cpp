@@ -25,7 +25,7 @@ constexpr Stage all[] = {
     {"shading", "shading", 8,
      "the rest of the rendering: surfaces, lights, and the rays that they send",
      [](const F& f) { return f.shading(); }},
-    {"film", "film", 6, "adding the samples up", of<&F::film>},
+    {"film", "film", 6, "adding the samples up, with the filter if there is one", of<&F::film>},
     {"render", "render", 8, "the whole rendering, from camera rays to film", of<&F::render>},
     {"write", "write", 7, "encoding and writing an EXR, by code that is loaded already",
      of<&F::write>},

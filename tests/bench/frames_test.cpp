@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/common/backends.h"
+#include "bench/frames/fill_film.h"
 #include "bench/frames/recorded_rays.h"
 #include "bench/frames/scene_names.h"
 #include "bench/scenes/bench_scene.h"
@@ -157,6 +158,27 @@ TEST_CASE("frames: given a folder for temporary files, then nothing is left in i
                            "/bin/etalon-bench' frames spheres:20 --width 20 --repeat 1; ls -A t");
     CHECK(r.status == 0);
     CHECK_THAT(r.out, !ContainsSubstring("etalon-"));
+}
+
+TEST_CASE(
+    "A frame's film: given an image with a filter, then it is filled as when it is rendered") {
+    RenderSettings settings;
+    settings.resolution = {9, 7};
+    Film image(settings.window());
+    for (int y = 0; y < 7; ++y) {
+        for (int x = 0; x < 9; ++x) {
+            for (int n = 0; n < 3; ++n) image.add(x, y, Color(1));
+        }
+    }
+    for (const bool is_wide : {false, true}) {
+        if (is_wide) settings.filter = {FilterKind::gaussian, Vec2(2)};
+        ImageFilm film(settings.window(), settings);
+        REQUIRE(film.is_filtered() == is_wide);
+        CHECK(frames::fill_film(film, image) > 0);
+        CHECK(film.samples().total_count() == 3 * film.samples().size());
+        const Film done = film.is_filtered() ? film.filtered() : film.samples();
+        CHECK(done.mean(done.index(4, 3)).x == Approx(0.5));
+    }
 }
 
 TEST_CASE("RecordedRays: given batches, then all are answered and every n-th is asked again") {
