@@ -3,10 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "app/common/without_repeats.h"
+
 namespace etalon {
 
 /// Joins the words of a list that was split at all commas, also at those within a name: of each
-/// word and those after it, as many as are together a name. Words of no name stay as they are.
+/// word and those after it, as many as are together a name. Words of no name stay as they are; what
+/// is there twice is taken once.
 template <class IsName>
 std::vector<std::string> joined_words(const std::vector<std::string>& words,
                                       const IsName& is_name) {
@@ -23,7 +26,7 @@ std::vector<std::string> joined_words(const std::vector<std::string>& words,
         names.push_back(std::move(name));
         i = next;
     }
-    return names;
+    return without_repeats(names);
 }
 
 }  // namespace etalon

@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "app/common/without_repeats.h"
 #include "core/base/parse_number.h"
 #include "core/formats/nearest_name.h"
 
@@ -30,6 +31,13 @@ template <class T>
 struct ValueOf<std::optional<T>> {
     using type = T;
 };
+
+/// Returns the variable if it takes several values.
+template <class T>
+ValueList list_of(T& value) {
+    if constexpr (std::is_constructible_v<ValueList, T*>) return &value;
+    return {};
+}
 
 template <class T>
 constexpr bool is_whole = std::is_integral_v<T>;
@@ -107,8 +115,21 @@ Option& Option::value_or(const std::string& usual) {
 }
 
 Option& Option::by_commas() {
+    return words_by_commas().each_once();
+}
+
+Option& Option::words_by_commas() {
     option_->delimiter(',')->type_name(option_->get_type_name() + ",...");
     return one_value_each();
+}
+
+Option& Option::each_once() {
+    when_parsed_->emplace_back([list = list_] {
+        const auto shorten = [](auto* values) { *values = without_repeats(*values); };
+        if (const auto* numbers = std::get_if<std::vector<int>*>(&list)) shorten(*numbers);
+        if (const auto* texts = std::get_if<std::vector<std::string>*>(&list)) shorten(*texts);
+    });
+    return *this;
 }
 
 Option& Option::one_value_each() {
@@ -203,7 +224,7 @@ Option Options::add(const std::string& names, T& value, const std::string& help)
             return text.empty() ? "expected a value, not an empty text" : std::string();
         });
     }
-    return {*option, choices_};
+    return {*option, choices_, when_parsed_, list_of(value)};
 }
 
 template Option Options::add(const std::string&, int&, const std::string&);
@@ -216,7 +237,7 @@ template Option Options::add(const std::string&, std::vector<std::string>&, cons
 template Option Options::add(const std::string&, std::optional<std::int64_t>&, const std::string&);
 
 Option Options::add_flag(const std::string& names, bool& value, const std::string& help) {
-    return {*app_.add_flag(names, value, help), choices_};
+    return {*app_.add_flag(names, value, help), choices_, when_parsed_, {}};
 }
 
 void Options::add_notes(const std::string& text) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/common/value_choices.h"
@@ -14,10 +15,17 @@ class App;
 
 namespace etalon {
 
+/// What is to be done once a command line is parsed.
+using ParsedTasks = std::vector<std::function<void()>>;
+
+/// The variable of an option that takes several values.
+using ValueList = std::variant<std::monostate, std::vector<int>*, std::vector<std::string>*>;
+
 /// An option that was just declared. Each function adds a rule to it and returns it, for chaining.
 class Option {
   public:
-    Option(CLI::Option& option, ValueChoices& choices) : option_(&option), choices_(&choices) {}
+    Option(CLI::Option& option, ValueChoices& choices, ParsedTasks& when_parsed, ValueList list)
+        : option_(&option), choices_(&choices), when_parsed_(&when_parsed), list_(list) {}
 
     /// Sets the name of the value in the help: FILE, SECONDS (default: N for integers, X for other
     /// numbers, NAME for text).
@@ -26,8 +34,12 @@ class Option {
     /// Makes the value optional; `usual` replaces it. The next word is taken as the value, unless
     /// it is an option or the last positional argument.
     Option& value_or(const std::string& usual);
-    /// Takes several values, separated by commas.
+    /// Takes several values, separated by commas, each once.
     Option& by_commas();
+    /// Takes the words of several values that may have commas in them, for joined_words().
+    Option& words_by_commas();
+    /// Takes a value once that is given several times.
+    Option& each_once();
     /// Allows the option to be repeated, with one value each time.
     Option& one_value_each();
     Option& excludes(const std::string& other);
@@ -59,6 +71,8 @@ class Option {
 
     CLI::Option* option_;
     ValueChoices* choices_;
+    ParsedTasks* when_parsed_;
+    ValueList list_;
 };
 
 /// The options of one command.
@@ -78,9 +92,13 @@ class Options {
     /// Adds text to the end of the help, unchanged.
     void add_notes(const std::string& text);
 
+    /// Returns what is to be done once the command line is parsed, before the command runs.
+    const ParsedTasks& when_parsed() const { return when_parsed_; }
+
   private:
     CLI::App& app_;
     ValueChoices& choices_;
+    ParsedTasks when_parsed_;
 };
 
 }  // namespace etalon

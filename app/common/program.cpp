@@ -72,7 +72,10 @@ Action declare(const Command& command, const std::string& name, CLI::App& parser
         footer += fmt::format("  {} {}\n      {}\n", name, example.arguments, example.purpose);
     }
     parser.footer(footer + "\n" + exit_statuses);
-    return run;
+    return [tasks = options.when_parsed(), run] {
+        for (const auto& task : tasks) task();
+        return run();
+    };
 }
 
 /// Parses the command line; returns an exit status if nothing is to be run, as after --help.

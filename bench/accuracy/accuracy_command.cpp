@@ -166,7 +166,7 @@ Action declare_accuracy(Options& options) {
              "Comma-separated list of cases: SPH, SPH-1, or \"SPH-1/1e3 radii, float\" "
              "(default: all of --list)")
         .value("CASE")
-        .by_commas();
+        .words_by_commas();
     options.add("--backends", a->backends, "Comma-separated list of backends")
         .by_commas()
         .one_of(backend_names())

@@ -104,7 +104,8 @@ int measure_frames(FramesArguments a) {
 Action declare_frames(Options& options) {
     auto a = std::make_shared<FramesArguments>();
     options.add("SCENE", a->scenes, "Scene files, or names of `etalon-bench speed --list`")
-        .required();
+        .required()
+        .each_once();
     options
         .add("-b,--backends", a->config.backends,
              "Comma-separated list of backends, measured in turn (default: the scene's)")

@@ -78,6 +78,13 @@ std::vector<std::string> files_at(const std::string& path) {
     return files;
 }
 
+/// Returns whether a scene file is among the frames: it may also be in a folder that was given.
+bool is_given(const std::string& file, const Settings& settings) {
+    return std::ranges::any_of(settings.frames, [&](const FrameRequest& f) {
+        return f.origin == FrameOrigin::given && f.scene == file;
+    });
+}
+
 /// Makes room for a task of about so many seconds, in case it takes twice as long.
 void extend_limit(double seconds, Settings& settings) {
     if (settings.seconds_limit > 0) settings.seconds_limit += 2 * seconds;
@@ -158,6 +165,7 @@ std::string add_frames(const std::vector<std::string>& paths, Settings& settings
         for (const std::string& file : files) {
             const std::string error = bench::check_scene_name(file);
             if (!error.empty()) return error;
+            if (is_given(file, settings)) continue;
             settings.frames.push_back({FrameOrigin::given, file, 0, size.width, size.samples});
             extend_limit(seconds_for(settings.frames.back(), settings), settings);
         }

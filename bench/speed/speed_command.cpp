@@ -182,7 +182,7 @@ void declare_what(Options& options, SpeedArguments& a) {
         .add("--scene", a.scenes,
              "Comma-separated list of scenes: names of --list, with or without :SIZE, or files")
         .value("SCENE")
-        .by_commas()
+        .words_by_commas()
         .show_default();
     options
         .add("--backends", a.backends,
