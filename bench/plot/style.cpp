@@ -21,22 +21,22 @@ std::string_view style() {
 .chart .curve{stroke-width:2px;stroke-linejoin:round;stroke-linecap:round}
 .chart .mark{stroke-width:1.5px}
 .chart .band{stroke:none;opacity:.18}
-.chart .c1{--c:var(--colour-1,#0072b2)}
-.chart .c2{--c:var(--colour-2,#d55e00)}
-.chart .c3{--c:var(--colour-3,#007d5b)}
-.chart .c4{--c:var(--colour-4,#b5588f)}
-.chart .c5{--c:var(--colour-5,#b27700)}
-.chart .c6{--c:var(--colour-6,#3d93c8)}
-.chart .c7{--c:var(--colour-7,#68727d)}
+.chart .c1{color:var(--colour-1,#0072b2)}
+.chart .c2{color:var(--colour-2,#d55e00)}
+.chart .c3{color:var(--colour-3,#007d5b)}
+.chart .c4{color:var(--colour-4,#b5588f)}
+.chart .c5{color:var(--colour-5,#b27700)}
+.chart .c6{color:var(--colour-6,#3d93c8)}
+.chart .c7{color:var(--colour-7,#68727d)}
 .chart .c2.curve{stroke-dasharray:7 4}
 .chart .c3.curve{stroke-dasharray:2 4}
 .chart .c4.curve{stroke-dasharray:10 3 2 3}
 .chart .c5.curve{stroke-dasharray:12 5}
 .chart .c6.curve{stroke-dasharray:5 3}
 .chart .c7.curve{stroke-dasharray:1 5}
-.chart .curve{stroke:var(--c)}
-.chart .name,.chart .mark,.chart .band{fill:var(--c)}
-.chart .mark{stroke:var(--c)}
+.chart .curve{stroke:currentColor}
+.chart .name,.chart .mark,.chart .band{fill:currentColor}
+.chart .mark{stroke:currentColor}
 .chart .hollow{fill:var(--paper,#fff)}
 )";
 }

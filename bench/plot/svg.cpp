@@ -15,6 +15,21 @@ std::string list_of(const std::vector<Position>& positions) {
     return list;
 }
 
+/// Returns a style sheet with the default of each variable in its place.
+std::string without_variables(std::string_view css) {
+    constexpr std::string_view variable = "var(";
+    std::string text;
+    for (;;) {
+        const std::size_t begin = css.find(variable);
+        text += css.substr(0, begin);
+        if (begin == std::string_view::npos) return text;
+        css.remove_prefix(css.find(',', begin) + 1);
+        const std::size_t end = css.find(')');
+        text += css.substr(0, end);
+        css.remove_prefix(end + 1);
+    }
+}
+
 }  // namespace
 
 std::string escaped(std::string_view text) {
@@ -88,7 +103,7 @@ std::string Svg::standalone() const {
     return document(" xmlns=\"http://www.w3.org/2000/svg\"",
                     fmt::format("<style>{}</style>\n<rect width=\"{}\" height=\"{}\" "
                                 "class=\"paper\"/>\n",
-                                style(), width_, height_));
+                                without_variables(style()), width_, height_));
 }
 
 }  // namespace etalon::plot

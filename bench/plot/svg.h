@@ -34,7 +34,8 @@ class Svg {
 
     /// Returns an element for a page that has the style sheet.
     std::string inlined() const;
-    /// Returns a file with the style sheet, on white, as a page that shows it may be dark.
+    /// Returns a file with the style sheet, on white, as a page that shows it may be dark. Its
+    /// colours are no variables, which many viewers of such files do not know.
     std::string standalone() const;
 
   private:
