@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace etalon::plot {
 namespace {
@@ -72,14 +73,35 @@ double placement_cost(const Label& label, const std::vector<Label>& all, std::si
         if (i == self) continue;
         const Rectangle other = extent(all[i]);
         covered += 10 * overlap(here, other);
-        if (label.is_far) covered += 10 * crossing(label.mark, leader_end(label), other);
+        if (label.is_far) covered += 50 * crossing(label.mark, leader_end(label), other);
         if (label.is_far)
             covered += crossing(label.mark, leader_end(label), around(all[i].mark, mark_radius));
-        if (all[i].is_far) covered += 10 * crossing(all[i].mark, leader_end(all[i]), here);
+        if (all[i].is_far) covered += 50 * crossing(all[i].mark, leader_end(all[i]), here);
     }
     for (const Position& p : avoid) covered += 3 * overlap(here, around(p, 2));
     const Position end = leader_end(label);
     return covered + std::hypot(end.x - label.mark.x, end.y - label.mark.y);
+}
+
+/// Moves each label in turn to its best position while the others stay, until none moves. Returns
+/// the sum of all costs.
+double place_in_turn(std::vector<Label>& labels, const std::vector<std::size_t>& order,
+                     const Rectangle& page, const std::vector<Position>& avoid) {
+    for (Label& label : labels) label = candidates(label).front();
+    constexpr int rounds = 20;
+    double sum = 0;
+    for (int round = 0; round < rounds; ++round) {
+        sum = 0;
+        for (const std::size_t i : order) {
+            double least = placement_cost(labels[i], labels, i, page, avoid);
+            for (const Label& c : candidates(labels[i])) {
+                const double bad = placement_cost(c, labels, i, page, avoid);
+                if (bad < least) least = bad, labels[i] = c;
+            }
+            sum += least;
+        }
+    }
+    return sum;
 }
 
 }  // namespace
@@ -100,18 +122,12 @@ Position leader_end(const Label& label) {
 
 void place_labels(std::vector<Label>& labels, const Rectangle& page,
                   const std::vector<Position>& avoid) {
-    for (Label& label : labels) label = candidates(label).front();
-    // Each label in turn moves to its best position while the others stay, until none moves.
-    constexpr int rounds = 20;
-    for (int round = 0; round < rounds; ++round) {
-        for (std::size_t i = 0; i < labels.size(); ++i) {
-            double least = placement_cost(labels[i], labels, i, page, avoid);
-            for (const Label& c : candidates(labels[i])) {
-                const double bad = placement_cost(c, labels, i, page, avoid);
-                if (bad < least) least = bad, labels[i] = c;
-            }
-        }
-    }
+    std::vector<std::size_t> order(labels.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<Label> other = labels;
+    const double bad = place_in_turn(labels, order, page, avoid);
+    std::ranges::reverse(order);
+    if (place_in_turn(other, order, page, avoid) < bad) labels = std::move(other);
 }
 
 }  // namespace etalon::plot

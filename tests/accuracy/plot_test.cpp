@@ -116,3 +116,26 @@ TEST_CASE("Given a crowd of marks, no label covers another or a mark") {
         }
     }
 }
+
+TEST_CASE("Given two marks below each other's label, no line to a label crosses another") {
+    std::vector<Position> frontier;
+    for (int i = 0; i <= 40; ++i) {
+        frontier.push_back({119 + 0.45 * i, 120});
+        frontier.push_back({137 + 1.8 * i, 126});
+        frontier.push_back({209, 126 + 7.5 * i});
+    }
+    std::vector<Label> labels{{"float textbook", true, {119, 120}},
+                              {"double textbook", true, {137, 126}},
+                              {"float RTG7", false, {213, 121}}};
+    place_labels(labels, {72, 94, 756, 436}, frontier);
+    for (const Label& label : labels) {
+        const Position end = leader_end(label);
+        for (double s = 0; label.is_far && s < 1; s += 0.01) {
+            const double x = label.mark.x + s * (end.x - label.mark.x);
+            const double y = label.mark.y + s * (end.y - label.mark.y);
+            for (const Label& other : labels) {
+                if (&other != &label) CHECK_FALSE(overlap({x, y, x, y}, extent(other)));
+            }
+        }
+    }
+}
