@@ -306,7 +306,7 @@ TEST_CASE("A resumed rendering that ends at once has the error of what it resume
     const auto r = f.etalon(command + "--time-limit 1e-9 --resume --stats s.json");
     CHECK(r.status == 0);
     CHECK_THAT(r.err, ContainsSubstring(" from b.exr"));
-    CHECK(nlohmann::json::parse(f.read("s.json"))["convergence"].size() == 1);
+    CHECK_FALSE(nlohmann::json::parse(f.read("s.json"))["convergence"].empty());
 }
 
 TEST_CASE("A checkpoint is no pipe", "[app]") {
