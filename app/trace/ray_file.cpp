@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
@@ -55,12 +57,24 @@ Fault parse(const std::string& line, Line& parsed) {
     }
 }
 
+/// Returns what no ray has: an origin or a direction that is not finite, a direction of length 0,
+/// or an end that is NaN.
+Fault find_fault(const std::vector<Number>& n) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(n.size(), 8); ++i) {
+        if (i < 6 && !std::isfinite(n[i].value)) return {n[i].column, "not a finite number"};
+        if (std::isnan(n[i].value)) return {n[i].column, "not a number"};
+    }
+    const bool has_direction = n[3].value != 0 || n[4].value != 0 || n[5].value != 0;
+    return has_direction ? Fault{} : Fault{n[3].column, "a direction of length 0"};
+}
+
 /// Makes a ray from a line that has numbers.
 Fault make_ray(const Line& line, Ray& ray) {
     const std::vector<Number>& n = line.numbers;
     if (n.size() != 6 && n.size() != 8 && n.size() != 9) {
         return {n.empty() ? 1 : n.front().column, "wrong count of numbers"};
     }
+    if (const Fault fault = find_fault(n); fault.column != 0) return fault;
     const auto vec = [&](std::size_t i) {
         return Vec3(n[i].value, n[i + 1].value, n[i + 2].value);
     };

@@ -13,6 +13,7 @@ TEST_CASE("trace answers ray by ray", "[app]") {
             "0 0 5 0 0 -0x1p1 # twice as fast\n"
             "0 0 5 0 0 -1 0 3.9999999999999996\n"
             "0 0 5 0 0 -1 0 4\n"
+            "0 0 5 0 0 -1 -inf inf\n"
             "\n"
             "0 9 0 0 1 0\n"
             "5 5 0 0 -1 0\n");
@@ -23,6 +24,7 @@ TEST_CASE("trace answers ray by ray", "[app]") {
               "hit 4 sphere 1 0 0 1\n"
               "hit 2 sphere 1 0 0 1\n"
               "miss\n"
+              "hit 4 sphere 1 0 0 1\n"
               "hit 4 sphere 1 0 0 1\n"
               "miss\n"
               "hit 6 plane 0 0 -1 0\n");
@@ -55,6 +57,11 @@ TEST_CASE("trace reports the position of an error in a file of rays", "[app]") {
         {"# rays\n\n 0 0 5 # no more\n", ":3:2: error: wrong count of numbers"},
         {"0 0 5 0 0 1 0 1 1\n", ":1:17: error: time outside of [0, 1)"},
         {"0 0 5 0 0 1 shadow 0\n", ":1:20: error: something after 'shadow'"},
+        {"0 nan 5 0 0 1\n", ":1:3: error: not a finite number"},
+        {"0 0 5 0 0 -1e400\n", ":1:11: error: not a finite number"},
+        {"0 0 5 0 0 1 nan 2\n", ":1:13: error: not a number"},
+        {"0 0 5 0 0 1 0 nan\n", ":1:15: error: not a number"},
+        {"0 0 5 0 -0 0\n", ":1:7: error: a direction of length 0"},
         {"shadow\n", ":1:1: error: wrong count of numbers"},
         {"0 0 5 0 0 1 shadows\n", ":1:13: error: not a number"}};
     for (const auto& [rays, error] : wrong) {
