@@ -92,8 +92,9 @@ std::string spd_command(const Settings& settings) {
     }
     return fmt::format(
         "for scene in {}; do set -- $scene; {} $1 --size $2 -o $1.p3f; "
-        "{} render $1.p3f --spd --stats -; done",
-        scenes.substr(0, scenes.size() - 1), scenes_program(), etalon_program());
+        "for backend in {}; do {} render $1.p3f --spd -b $backend --stats -; done; done",
+        scenes.substr(0, scenes.size() - 1), scenes_program(),
+        fmt::join(settings.spd_backends, " "), etalon_program());
 }
 
 std::string frames_command(const Settings& settings, FrameOrigin origin) {

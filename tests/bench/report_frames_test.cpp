@@ -125,6 +125,13 @@ TEST_CASE("The command lines of a report are those of a shell, with its folder")
     CHECK_THAT(frames_command(settings, FrameOrigin::given), ContainsSubstring(scene));
 }
 
+TEST_CASE("A report's command for the classic scenes renders each with each of its backends") {
+    const std::string command = spd_command(quick_settings());
+    CHECK_THAT(command, ContainsSubstring("for backend in grid bvh embree embree-user "
+                                          "embree-builtin; do ") &&
+                            ContainsSubstring(" --spd -b $backend "));
+}
+
 TEST_CASE("A report has more time if it is given scenes") {
     const Folder f;
     f.write("a.p3f", small_scene);

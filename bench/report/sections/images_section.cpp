@@ -12,8 +12,9 @@ Figure figure_of(const ImageFigures& p, const std::string& date) {
         images.images.push_back({layer.title, layer.png, p.width, p.height});
     }
     return {p.scene,
-            fmt::format("{}, {} × {} pixels, {} CPU seconds.", count_of(p.primitives, "primitive"),
-                        p.width, p.height, three_digits(p.render.cpu)),
+            fmt::format("{}, {} × {} pixels; rendered once, by all threads, in {} CPU seconds.",
+                        count_of(p.primitives, "primitive"), p.width, p.height,
+                        three_digits(p.render.cpu)),
             p.command, date, std::move(images)};
 }
 

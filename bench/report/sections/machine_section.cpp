@@ -52,9 +52,11 @@ Section machine_section(const Results& results) {
     const std::string command = command_of(results.settings);
     section.figures.push_back({"Machine", "Where and with what all this was measured.", command,
                                results.begun, facts(results)});
-    section.figures.push_back({"Backends",
-                               "The backends measured. Exact backends give identical bits.",
-                               command, results.begun, backends(results)});
+    section.figures.push_back(
+        {"Backends",
+         "The backends, and the instruction sets of those whose speed was measured. "
+         "Exact backends give identical bits.",
+         command, results.begun, backends(results)});
     return section;
 }
 

@@ -107,9 +107,10 @@ Section spd_section(const Results& results) {
     const std::string command = spd_command(results.settings), date = results.spd.date;
     section.figures = {
         {"Counts", "How many rays of each kind an image takes.", command, date, counts(all)},
-        {"Speed", "Million rays per CPU second, all of an image on all threads.", command, date,
-         speeds(all)},
-        {"Times and sizes", "Input and build do not depend on the resolution.", command, date,
+        {"Speed", "Million rays per CPU second, all of an image on all threads; measured once.",
+         command, date, speeds(all)},
+        {"Times and sizes",
+         "Input and build do not depend on the resolution. All were measured once.", command, date,
          times(all), true}};
     return section;
 }
