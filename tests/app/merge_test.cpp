@@ -254,9 +254,11 @@ TEST_CASE("A merge that a signal ends while it writes leaves nothing behind", "[
     const std::string render = "render ball.p3f --resolution 1920x1080 --spp 2 -q --part ";
     REQUIRE(f.etalon(render + "1/2 -o a.exr").status == 0);
     REQUIRE(f.etalon(render + "2/2 -o b.exr").status == 0);
-    const auto r = f.shell("'" ETALON_BINARY_DIR
-                           "/bin/etalon' merge a.exr b.exr -o m.exr & pid=$!; until ls -A | grep "
-                           "-q tmp || ! kill -0 $pid; do :; done; kill -TERM $pid; wait $pid");
+    // The shell looks for the temporary file without starting programs, so that it is in time.
+    const auto r = f.shell(
+        "'" ETALON_BINARY_DIR
+        "/bin/etalon' merge a.exr b.exr -o m.exr & pid=$!; until set -- .etalon-*; test -e \"$1\" "
+        "|| ! kill -0 $pid; do :; done; kill -TERM $pid; wait $pid");
     INFO(r.err);
     CHECK(r.status == 143);
     CHECK(f.shell("ls -A").out == "a.exr\nb.exr\nball.p3f\n");
