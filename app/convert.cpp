@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <new>
+#include <optional>
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/fail.h"
 #include "app/common/output.h"
+#include "app/common/signals.h"
 #include "app/scene_arguments.h"
 #include "app/subcommands.h"
 #include "core/base/read_log.h"
@@ -66,11 +68,15 @@ bool is_pbrt_to_pbrt(const ConvertArguments& a, std::string_view text) {
            format_of(text, a.scene.path, a.scene.options) == "pbrt";
 }
 
-/// Writes the scene, unless to one of its files. Returns the exit status.
+/// Writes the scene, unless to one of its files. A signal waits until a file is complete, or else a
+/// temporary one would be left. Returns the exit status.
 int write(const ConvertArguments& a, const std::vector<std::string>& scene_files,
           const std::string& text) {
     if (refuse_outputs({a.output}, scene_files)) return exit_usage;
-    return write_text(a.output, text) ? exit_done : exit_not_written;
+    std::optional<SignalGuard> signals;
+    if (is_replaceable(a.output)) signals.emplace();
+    if (!write_text(a.output, text)) return exit_not_written;
+    return SignalGuard::raised() ? exit_signal + SignalGuard::signal() : exit_done;
 }
 
 int normalize_pbrt(const ConvertArguments& a, std::string_view text) {

@@ -128,6 +128,23 @@ TEST_CASE("convert refuses to overwrite its source", "[app]") {
     CHECK(f.read("ball.p3f") == small_scene);
 }
 
+TEST_CASE("a convert that a signal ends while it writes leaves no temporary file", "[app]") {
+    const Folder f;
+    std::string scene = small_scene;
+    for (int i = 0; i < 1'000'000; ++i) {
+        scene += "s 0.123456789 0.123456789 -9.123456789 0.123456789\n";
+    }
+    f.write("many.p3f", scene);
+    // The shell looks for the temporary file without starting programs, so that it is in time.
+    const auto r = f.shell("'" ETALON_BINARY_DIR
+                           "/bin/etalon' convert many.p3f -o b.p3f & pid=$!; until set -- "
+                           ".etalon-*; test -e \"$1\" || "
+                           "! kill -0 $pid; do :; done; kill -TERM $pid; wait $pid");
+    INFO(r.err);
+    CHECK(r.status == 143);
+    CHECK(f.shell("ls -A").out == "b.p3f\nmany.p3f\n");
+}
+
 TEST_CASE("a skybox is found from where the new file is", "[app]") {
     const Folder f;
     f.shell("mkdir new");
