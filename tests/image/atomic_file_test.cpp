@@ -4,10 +4,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <thread>
 
+#include "core/base/uninterrupted.h"
 #include "tests/catch.h"
 #include "tests/image/ordinary_user.h"
 #include "tests/temporary_folder.h"
@@ -175,20 +177,32 @@ TEST_CASE("temporary files of others, such as a process of the same number elsew
     CHECK(folder.names().size() == others + 1);
 }
 
+TEST_CASE(
+    "a file that the program itself is writing is replaced, not taken for a redirected stream") {
+    const TemporaryFolder folder;
+    const std::string path = folder / "f";
+    const int own = open_file(path.c_str(), O_WRONLY | O_CREAT);
+    REQUIRE(own >= 0);
+    REQUIRE(own <= 9);  // as those that a shell redirects
+    CHECK(write_all(own, "earlier") == 0);
+    CHECK(write_file_atomically(path, "later").empty());
+    CHECK(close_file(own) == 0);
+    CHECK(content_of(path) == "later");
+}
+
 TEST_CASE("concurrent writers do not collide, and readers always find a whole file") {
     const TemporaryFolder folder;
     const std::string path = folder / "f";
     constexpr int writers = 4, rounds = 20;
     constexpr std::size_t size = 50000;
     put(path, std::string(size, 'a'));
-    std::atomic<int> failures = 0, running = writers;
+    std::atomic<int> running = writers;
+    std::array<std::string, writers> errors;
     std::vector<std::thread> threads;
-    for (int w = 0; w < writers; ++w) {
+    for (std::size_t w = 0; w < writers; ++w) {
         threads.emplace_back([&, w] {
             const std::string content(size, static_cast<char>('a' + w));
-            for (int i = 0; i < rounds; ++i) {
-                if (!write_file_atomically(path, content).empty()) ++failures;
-            }
+            for (int i = 0; i < rounds; ++i) errors[w] += write_file_atomically(path, content);
             --running;
         });
     }
@@ -198,7 +212,7 @@ TEST_CASE("concurrent writers do not collide, and readers always find a whole fi
         torn += seen.size() != size || seen != std::string(size, seen[0]);
     }
     for (std::thread& t : threads) t.join();
-    CHECK(failures == 0);
+    CHECK(errors == std::array<std::string, writers>());
     CHECK(torn == 0);
     CHECK(folder.names() == std::vector<std::string>{"f"});
 }
