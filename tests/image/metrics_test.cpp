@@ -1,5 +1,7 @@
 #include "core/image/metrics/metrics.h"
 
+#include <cmath>
+
 #include "core/parallel/parallel.h"
 #include "tests/catch.h"
 #include "tests/image/formula_images.h"
@@ -27,6 +29,7 @@ TEST_CASE("metrics of two pixels are those worked out by hand") {
     CHECK(mean(a) == Vec3(0.625, 1.25, 1.5));
     CHECK(mean(b) == Vec3(0.375, 0.25, 1.625));
     CHECK(psnr(0.01) == Approx(20).epsilon(1e-14));
+    CHECK_FALSE(std::signbit(psnr(1)));  // written as 0, not as -0
 }
 
 TEST_CASE("equal images do not differ, whatever their values") {

@@ -43,7 +43,7 @@ double mae(Pixels a, Pixels b) {
 }
 
 double psnr(double mse) {
-    return -10 * std::log10(mse);
+    return 0 - 10 * std::log10(mse);  // not -0 for 1
 }
 
 double max_abs(Pixels a, Pixels b) {
