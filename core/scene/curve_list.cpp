@@ -15,7 +15,8 @@ bool same(const Affine& a, const Affine& b) {
 
 }  // namespace
 
-CurveTransform::CurveTransform(const Affine& map) : to_world(map), rows(Instance(map, 0).rows) {
+CurveTransform::CurveTransform(const Affine& map)
+    : to_world(map), rows(Instance(map, 0).rows), stretch(stretch_of(to_world, rows)) {
     if (!exists()) rows.fill(Vec3(nan_value));  // so that no ray hits it
 }
 
@@ -23,7 +24,7 @@ CurveTransform::CurveTransform(const Affine& map) : to_world(map), rows(Instance
 bool CurveTransform::exists() const {
     constexpr double largest_condition = 0x1p30, largest_stretch = 0x1p50;
     return is_finite(to_world) && condition_of(to_world, rows) < largest_condition &&
-           stretch_of(to_world, rows) < largest_stretch;
+           stretch < largest_stretch;
 }
 
 void CurveList::push_back(const Curve& c) {

@@ -42,6 +42,7 @@ struct CurveTransform {
 
     Affine to_world;
     std::array<Vec3, 3> rows;  ///< rows of the inverse of the map's matrix
+    double stretch;            ///< stretch_of() the map
 
     /// Transforms a direction, or a point minus the map's origin, from world space to the curve's
     /// space.

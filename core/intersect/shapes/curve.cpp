@@ -15,6 +15,11 @@ bool is_degenerate(const StoredCurve& c) {
            !(widest(c.curve, c.part.begin(), c.part.end()) > 0);
 }
 
+/// Returns half of the largest width of the part.
+double half_width(const StoredCurve& c) {
+    return 0.5 * widest(c.curve, c.part.begin(), c.part.end());
+}
+
 /// Returns how far the map takes the points of a sphere about the origin along each world axis.
 Vec3 reach_of_sphere(const Affine& m, double radius) {
     Vec3 reach;
@@ -30,7 +35,7 @@ Vec3 reach_of_sphere(const Affine& m, double radius) {
 double error_of_inverse(const StoredCurve& c, const Box3& box) {
     const Affine& map = c.place.to_world;
     const double furthest = std::max(max_abs(box.min - map.origin), max_abs(box.max - map.origin));
-    const double stretch = stretch_of(map, c.place.rows);
+    const double stretch = c.place.stretch;
     const double turned = stretch > ample_stretch ? 4 * stretch : 0;
     return 16 * unit_roundoff * std::max(condition_of(map, c.place.rows), turned) * furthest;
 }
@@ -70,23 +75,24 @@ bool is_visible(const StoredCurve& c, const CurveView& view, const CurvePassage&
 Box3 bounds(const Geometry&, const StoredCurve& c) {
     if (is_degenerate(c)) return {};
     Box3 box;
-    const CubicPoints part = part_of(points_of(c.curve), c.part.begin(), c.part.end());
+    const CubicPoints part = part_points(c);
     for (const Vec3& p : part) box.extendBy(c.place.to_world.point(p));
-    const double half = 0.5 * widest(c.curve, c.part.begin(), c.part.end());
-    const Vec3 reach = reach_of_sphere(c.place.to_world, half) + Vec3(error_of_inverse(c, box));
+    const Vec3 reach =
+        reach_of_sphere(c.place.to_world, half_width(c)) + Vec3(error_of_inverse(c, box));
     return {box.min - reach, box.max + reach};
 }
 
 double first_hit(const Geometry&, const StoredCurve& c, Sides sides, const RayQuery& q) {
+    const CubicPoints part = part_points(c);
+    const CurveRay ray(c, part, q.ray);
+    if (ray.passes_beside(part, half_width(c))) return no_hit;
+    const CurveView view(ray, part);
     double nearest = infinity;
-    const CurveView* view = nullptr;
     const auto take = [&](const CurvePassage& at) {
         const bool is_nearer = at.t > q.ray.tmin && at.t < nearest;
-        if (is_nearer && is_visible(c, *view, at, sides)) nearest = at.t;
+        if (is_nearer && is_visible(c, view, at, sides)) nearest = at.t;
     };
-    const CurvePassages passages(c, q.ray, take);
-    view = &passages.view();
-    passages.find();
+    CurvePassages(c, part, view, take).find();
     return nearest < infinity ? nearest : no_hit;
 }
 
@@ -95,9 +101,9 @@ SurfacePoint surface(const Geometry&, const StoredCurve& c, const RayQuery& q, d
     const auto take = [&](const CurvePassage& passage) {
         if (std::abs(passage.t - t) < std::abs(at.t - t)) at = passage;
     };
-    const CurvePassages passages(c, q.ray, take);
-    passages.find();
-    const CurveView& view = passages.view();
+    const CubicPoints part = part_points(c);
+    const CurveView view(CurveRay(c, part, q.ray), part);
+    CurvePassages(c, part, view, take).find();
     const CurveAxes axes = axes_at(c, view, at);
     const Vec3 centre = blossom(points_of(c.curve), at.u, at.u, at.u);
     const Vec3 local = centre - at.x * view.x - at.y * view.y;

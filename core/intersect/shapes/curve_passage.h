@@ -4,26 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/intersect/ray.h"
-#include "core/numerics/rounding.h"
-#include "core/scene/bezier.h"
-#include "core/scene/curve_list.h"
-#include "core/scene/map_condition.h"
+#include "core/intersect/shapes/curve_ray.h"
 
 namespace etalon {
-
-inline CubicPoints points_of(const BezierCurve& c) {
-    return {Vec3(c.points[0]), Vec3(c.points[1]), Vec3(c.points[2]), Vec3(c.points[3])};
-}
-
-inline double width_at(const BezierCurve& c, double u) {
-    return (1 - u) * c.widths[0] + u * c.widths[1];
-}
-
-/// Returns the largest width of a part; the width is linear.
-inline double widest(const BezierCurve& c, double begin, double end) {
-    return std::max(std::abs(width_at(c, begin)), std::abs(width_at(c, end)));
-}
 
 /// Returns the normal of a ribbon, interpolated on the arc between those at its ends. As in pbrt-v3
 /// it is not quite a unit vector where they are more than a quarter turn apart.
@@ -42,25 +25,15 @@ struct CurvePassage {
     double x, y;   ///< the curve's point, seen from the ray: along and across the line of sight
 };
 
-/// Stretch below which the roundings of a ray from far away are as small as those of its own
-/// coordinates.
-inline constexpr double ample_stretch = 16;
-
-/// Distance, relative to the size of what is seen, below which its roundings are negligible.
-inline constexpr double ample_distance = 0x1p16;
-
-/// A ray in a curve's space, and the axes along which the curve is seen: z is the ray's direction,
-/// and x is as close to the curve's as possible, so that y is small.
+/// The axes along which a ray sees a curve: z is the ray's direction, and x is as close to the
+/// curve's as possible, so that y is small.
 class CurveView {
   public:
-    CurveView(const StoredCurve& c, const CubicPoints& part, const Ray& ray) {
-        origin_ = start_near(c, part, ray);
-        const Vec3 d = c.place.vector(ray.direction);
-        const double scale = power_of_two_reciprocal(max_abs(d));
-        const Vec3 scaled = d * scale;
-        const double length = std::sqrt(scaled.dot(scaled));
-        z = scaled / length;
-        per_length_ = scale / length;
+    CurveView(const CurveRay& ray, const CubicPoints& part)
+        : origin_(ray.origin), start_(ray.start) {
+        const double length = std::sqrt(ray.direction.dot(ray.direction));
+        z = ray.direction / length;
+        per_length_ = ray.scale / length;
         const Vec3 chord = part[3] - part[0], across = z.cross(chord);
         const double reach2 = across.dot(across);
         y = across / std::sqrt(reach2);
@@ -80,44 +53,17 @@ class CurveView {
     Vec3 x, y, z;
 
   private:
-    /// Returns where the ray starts in the curve's space. The start is moved to the point nearest
-    /// to the map's origin if the map's axes differ so much that the roundings of a far origin
-    /// would be longer than the curve, or if the ray comes from that far. Then its own roundings
-    /// move the point along each axis only by those of the ray's part along it, for which boxes of
-    /// instances have room. The second step corrects what the rounding of t left over in the first.
-    Vec3 start_near(const StoredCurve& c, const CubicPoints& part, const Ray& ray) {
-        Vec3 origin = ray.origin - c.place.to_world.origin;
-        if (stretch_of(c.place.to_world, c.place.rows) > ample_stretch) advance(origin, ray);
-        double size = widest(c.curve, c.part.begin(), c.part.end());
-        for (const Vec3& p : part) size = std::max(size, max_abs(p));
-        for (int step = 0; step < 2; ++step) {
-            if (max_abs(c.place.vector(origin)) > ample_distance * size) advance(origin, ray);
-        }
-        return c.place.vector(origin);
-    }
-
-    /// Moves a point of the ray to the place where it is nearest to 0.
-    void advance(Vec3& origin, const Ray& ray) {
-        const double scale = power_of_two_reciprocal(max_abs(ray.direction));
-        const Vec3 d = ray.direction * scale;
-        const double step = -origin.dot(d) / d.dot(d) * scale;
-        origin += step * ray.direction;
-        start_ += step;
-    }
-
     Vec3 origin_;
-    double start_ = 0, per_length_;
+    double start_, per_length_;
 };
 
 /// Calls take(passage) for each piece of the part that the ray's line passes, beyond its origin.
 template <class Take>
 class CurvePassages {
   public:
-    CurvePassages(const StoredCurve& c, const Ray& ray, const Take& take)
-        : c_(c),
-          part_(part_of(points_of(c.curve), c.part.begin(), c.part.end())),
-          view_(c, part_, ray),
-          take_(take) {}
+    CurvePassages(const StoredCurve& c, const CubicPoints& part, const CurveView& view,
+                  const Take& take)
+        : c_(c), part_(part), view_(view), take_(take) {}
 
     void find() const {
         CubicPoints seen;
@@ -125,8 +71,6 @@ class CurvePassages {
         const double begin = c_.part.begin(), end = c_.part.end();
         if (may_pass(seen.data(), begin, end)) halve(seen, begin, end, depth_for(seen));
     }
-
-    const CurveView& view() const { return view_; }
 
   private:
     /// Returns whether the box of the control points, widened by half the width, contains a point
@@ -202,8 +146,8 @@ class CurvePassages {
     }
 
     const StoredCurve& c_;
-    CubicPoints part_;
-    CurveView view_;
+    const CubicPoints& part_;
+    const CurveView& view_;
     const Take& take_;
 };
 
