@@ -128,8 +128,9 @@ std::string version_text(const ProgramText& text) {
 
 /// Runs `task` with the parser of a program; turns exceptions into a message and a status.
 template <class Task>
-int guarded(const ProgramText& text, const Task& task) {
+int guarded(const ProgramText& text, int argc, char** argv, const Task& task) {
     try {
+        note_command_line(argc, argv);
         CommandLine line{CLI::App(text.description, text.name), {}};
         line.program.formatter(help_formatter());
         line.program.set_version_flag("--version", [&] { return version_text(text); });
@@ -146,12 +147,11 @@ int guarded(const ProgramText& text, const Task& task) {
 /// Runs a program and returns its exit status.
 template <class Task>
 int run_prepared(const ProgramText& text, int argc, char** argv, const Task& task) {
+    usual_end = std::set_terminate(end_without_memory);
     note_program_name(text.name);
-    note_command_line(argc, argv);
     prepare_standard_streams();
     keep_freed_memory();
-    usual_end = std::set_terminate(end_without_memory);
-    return status_after_results(text.name, guarded(text, task));
+    return status_after_results(text.name, guarded(text, argc, argv, task));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // A library to preload into a program under test: once it has opened the file whose name ends in
-// FAILS_AFTER, or from its start where that is empty, the calls that ask for memory, or with
+// FAILS_AFTER, or from main() on where that is empty, the calls that ask for memory, or with
 // FAILS=thread those that start threads, are counted, and the one numbered FAILS_AT fails, from 1.
 // FAILS_AT=0 lets all succeed; how many there were is written to the file FAILS_COUNT when the
 // program ends.
@@ -29,6 +29,9 @@ std::atomic<long> calls = 0;
 long fails_at = 0;
 bool of_threads = false;
 
+using Main = int (*)(int, char**, char**);
+Main program = nullptr;
+
 bool fails(bool starts_thread) {
     if (!is_counting || starts_thread != of_threads) return false;
     if (++calls != fails_at) return false;
@@ -50,10 +53,15 @@ void note_opened(const char* path) {
 __attribute__((constructor)) void prepare() {
     const char* at = getenv("FAILS_AT");
     const char* what = getenv("FAILS");
-    const char* after = getenv("FAILS_AFTER");
     fails_at = at != nullptr ? atol(at) : 0;
-    is_counting = after != nullptr && *after == '\0';
     of_threads = what != nullptr && strcmp(what, "thread") == 0;
+}
+
+/// Nothing could report a failure in the initializers of libraries, before this.
+int counting_main(int count, char** arguments, char** environment) {
+    const char* after = getenv("FAILS_AFTER");
+    is_counting = after != nullptr && *after == '\0';
+    return program(count, arguments, environment);
 }
 
 __attribute__((destructor)) void report() {
@@ -70,6 +78,14 @@ __attribute__((destructor)) void report() {
 }  // namespace
 
 extern "C" {
+
+int __libc_start_main(Main main, int count, char** arguments, void (*begin)(), void (*end)(),
+                      void (*end_of_loader)(), void* stack) {
+    using Start = int (*)(Main, int, char**, void (*)(), void (*)(), void (*)(), void*);
+    const auto real = reinterpret_cast<Start>(dlsym(RTLD_NEXT, "__libc_start_main"));
+    program = main;
+    return real(counting_main, count, arguments, begin, end, end_of_loader, stack);
+}
 
 int open(const char* path, int flags, ...) {
     using Open = int (*)(const char*, int, ...);

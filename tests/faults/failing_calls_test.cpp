@@ -103,6 +103,25 @@ TEST_CASE("A failing allocation is reported, or changes nothing", "[faults][need
     }
 }
 
+TEST_CASE("A failing allocation at the start of the program is reported",
+          "[faults][needs_preload]") {
+    SKIP_UNLESS(!is_sanitized, no_preload);
+    const Folder f;
+    const Task task{"", "--version"};
+    const std::string version = run(f, task, "memory", 0).out;
+    REQUIRE(version.starts_with("etalon "));
+    int failures = 0;
+    for (long at = 1; at <= 60; ++at) {
+        const ProgramResult r = run(f, task, "memory", at);
+        CAPTURE(at, r.out, r.err);
+        CHECK((r.status == 0 || r.status == 3));
+        if (r.status == 0) CHECK(r.out == version);
+        if (r.status != 0) CHECK_THAT(r.err, ContainsSubstring("error: "));
+        failures += r.status != 0;
+    }
+    CHECK(failures > 0);
+}
+
 TEST_CASE("A failing allocation where a library must not throw is reported",
           "[faults][needs_preload]") {
     SKIP_UNLESS(!is_sanitized, no_preload);
