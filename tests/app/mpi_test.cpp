@@ -188,9 +188,10 @@ TEST_CASE("A rank whose memory an image does not fit into ends the rendering",
     SKIP_UNLESS(!is_sanitized, "memory cannot be limited");
     write_large_skybox(f);
     f.write("sky.p3f", small_scene + "env box\n");
-    const std::string one = render_of("sky.p3f --spp 20") + " -t 1 -o a.exr";
-    const auto r = f.shell("mpirun --allow-run-as-root --oversubscribe -n 1 " + one +
-                           " : --oversubscribe -n 1 " + one + " --max-memory 30M");
+    // Not as two programs of one mpirun: that of Open MPI 5.0 ends by a segmentation fault.
+    const auto r = in_ranks(f, 2,
+                            "test $OMPI_COMM_WORLD_RANK = 0 || limit='--max-memory 30M'\nexec " +
+                                render_of("sky.p3f --spp 20") + " -t 1 -o a.exr $limit\n");
     CAPTURE(r.err);
     CHECK(r.status == 3);
     CHECK_THAT(r.err, ContainsSubstring("rank 1 has failed: box/"));
@@ -212,7 +213,7 @@ TEST_CASE("A face of a skybox that another rank cannot read is reported once, wi
     CAPTURE(one.err, many.err);
     CHECK(many.status == 3);
     CHECK(f.read("many.exr") == f.read("one.exr"));
-    CHECK(many.err.starts_with(one.err));
+    CHECK_THAT(many.err, ContainsSubstring(one.err));
     CHECK(count(many.err, "error: ") == count(one.err, "error: "));
 }
 
