@@ -41,7 +41,7 @@ class Batch {
 }  // namespace
 
 double fill_film(ImageFilm& film, const Film& image) {
-    const Imath::Box2i w = film.samples().window(), inner = image.window();
+    const Imath::Box2i &w = film.samples().window(), &inner = image.window();
     Batch batch(film);
     for (int y = w.min.y; y <= w.max.y; ++y) {
         for (int x = w.min.x; x <= w.max.x; ++x) {

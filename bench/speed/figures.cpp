@@ -7,8 +7,8 @@ namespace {
 
 template <double Duration::*Seconds>
 std::vector<double> all_of(const std::vector<Duration>& durations) {
-    std::vector<double> seconds;
-    for (const Duration& d : durations) seconds.push_back(d.*Seconds);
+    std::vector<double> seconds(durations.size());
+    std::ranges::transform(durations, seconds.begin(), Seconds);
     return seconds;
 }
 
