@@ -49,9 +49,10 @@ struct CurveRay {
     /// curve.
     ///
     /// The distance is that from the plane of the line and the chord. For lines at an angle of
-    /// 2^-18 or more, |across| > 2^-18 |chord|, the roundings of the plane's normal are below 2^-32
-    /// of its length; so are those of CurveView::y, along which the kernel looks. Lengths are at
-    /// most twice the largest component, so that the roundings of both are below `roundings`.
+    /// 2^-18 or more, |across| > 2^-18 |chord|, the roundings of the plane's normal are below 2^-30
+    /// of its length; so are those of CurveView::y, along which the kernel looks. The product of
+    /// two lengths is at most three times that of the largest components, so that the roundings of
+    /// both, 2^-29, are below `roundings`.
     bool passes_beside(const CubicPoints& part, double half) const {
         const Vec3 chord = part[3] - part[0], across = direction.cross(chord);
         const double across2 = across.dot(across);
@@ -64,7 +65,7 @@ struct CurveRay {
             high = std::max(high, distance);
             furthest = std::max(furthest, max_abs(w));
         }
-        const double roundings = 0x1p-28 * max_abs(across) * furthest;
+        const double roundings = 0x1p-27 * max_abs(across) * furthest;
         const double room = std::max(low, -high) - roundings;
         return room > 0 && room * room * (1 - 0x1p-40) > across2 * half * half;
     }
