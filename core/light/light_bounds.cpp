@@ -53,7 +53,7 @@ LightBounds united(const LightBounds& a, const LightBounds& b) {
 
 /// Returns whether the angles that united() compares say so, whatever their roundings.
 bool BoundsSum::surely_contains(const EmissionCone& cone) const {
-    constexpr double slack = 1e-12;
+    constexpr double slack = 1e-12;  // thousands of roundings of cosines and of the angles
     if (cone.spread != 0) return false;
     const double cosine = sum_.cone.axis.dot(cone.axis);
     const bool two_sided = sum_.cone.two_sided || cone.two_sided;

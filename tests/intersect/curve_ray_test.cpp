@@ -26,7 +26,7 @@ Curve random_curve(Random& random, double bend) {
 
 /// Returns a ray from up to 2^20 curves away that passes the curve next to half its width away, and
 /// often nearly along it.
-Ray next_to_border(Random& random, const StoredCurve& c) {
+Ray grazing_ray(Random& random, const StoredCurve& c) {
     const CubicPoints part = part_points(c);
     const double u = random.uniform(c.part.begin(), c.part.end());
     const Vec3 at = blossom(points_of(c.curve), u, u, u), chord = part[3] - part[0];
@@ -61,7 +61,7 @@ TEST_CASE("Curve: given a ray that surely passes beside it, then it passes no pi
             list.push_back(random_curve(random, bend));
             const StoredCurve c = list[0];
             if (!c.place.exists()) continue;
-            const Ray ray = next_to_border(random, c);
+            const Ray ray = grazing_ray(random, c);
             const CubicPoints part = part_points(c);
             const double reach = 0.5 * widest(c.curve, c.part.begin(), c.part.end());
             const bool is_beside = CurveRay(c, part, ray).passes_beside(part, reach);
