@@ -136,7 +136,7 @@ std::string apply_part(const RenderArguments& a, RenderSettings& settings) {
         return fmt::format("--part {}: there are {} samples per pixel to share; expected --spp {}",
                            a.part, settings.samples_per_pixel, settings.parts);
     }
-    const bool is_kept = a.outputs.empty() || any_output(a, can_hold_channels);
+    const bool is_kept = any_output(a, can_hold_channels);
     return is_kept ? "" : "--part: no output is an EXR; expected -o FILE.exr to be merged";
 }
 
@@ -150,7 +150,7 @@ std::string check_checkpoint(const RenderArguments& a) {
 
 std::string check_aovs(const RenderArguments& a, const RenderSettings& settings) {
     if (a.aovs.empty()) return {};
-    if (!a.outputs.empty() && !any_output(a, can_hold_channels)) {
+    if (!any_output(a, can_hold_channels)) {
         return "--aov: no output is an EXR; expected -o FILE.exr to hold the channels";
     }
     return check_aovs(a.aovs, chosen_backend(settings));

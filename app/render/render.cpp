@@ -1,17 +1,32 @@
+#include <array>
+#include <cstddef>
+#include <new>
+
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/started_rank.h"
 #include "app/mpi/ranks.h"
 #include "app/mpi/tile_message.h"
 #include "app/render/fail_with.h"
+#include "app/render/image_files.h"
+#include "app/render/other_rank.h"
 #include "app/render/render_run.h"
 #include "app/subcommands.h"
+#include "core/parallel/parallel.h"
 
 namespace etalon {
 namespace {
 
 /// Time that rank 0 waits for the others to leave after a signal, as one of them may have died.
 constexpr double patience_after_signal = 1;
+
+/// Limits the threads for the lifetime of the process. When a limit is lifted, oneTBB starts more
+/// threads; if memory has run out it then ends the program, or waits for ever. So the limit is
+/// never lifted.
+void limit_threads(int threads) {
+    alignas(ThreadLimit) static std::array<std::byte, sizeof(ThreadLimit)> room;
+    [[maybe_unused]] static const auto* const limit = new (room.data()) ThreadLimit(threads);
+}
 
 /// Runs the subcommand in this process alone, or with other ranks.
 int run_first_rank(const RenderArguments& arguments, Ranks& ranks) {
@@ -31,7 +46,7 @@ int run_other_rank(const RenderArguments& arguments, Ranks& ranks) {
     hold_messages();
     int status = exit_unusable;
     try {
-        status = RenderRun(arguments, ranks).work();
+        status = render_for_rank_0(arguments, ranks);
     } catch (const std::exception& e) {
         fail_with(e.what());
     }
@@ -42,13 +57,15 @@ int run_other_rank(const RenderArguments& arguments, Ranks& ranks) {
     return status;
 }
 
-int run_render(const RenderArguments& arguments) {
+int run_render(RenderArguments arguments) {
     const bool is_first = started_rank().rank == 0;  // MPI may change what it reads
     Ranks ranks;
     if (const std::string error = ranks.join(); !error.empty()) {
         if (is_first) fail_with(error);
         return exit_unusable;
     }
+    if (arguments.outputs.empty()) arguments.outputs = {default_output(arguments.scene.path)};
+    limit_threads(arguments.threads);
     return ranks.rank() == 0 ? run_first_rank(arguments, ranks) : run_other_rank(arguments, ranks);
 }
 

@@ -14,6 +14,7 @@ std::string SceneSource::receive() {
 }
 
 LoadedScene SceneSource::load() {
+    if (a_.integrator != scene_integrator) a_.scene.options.integrator = a_.integrator;
     if (!is_sent() || a_.scene.path != "-") return etalon::load(a_.scene);
     standard_input_ = read_file(ranks_.rank() == 0 ? "-" : copy_.place_of("-"));
     return etalon::load(a_.scene, standard_input_.text());
