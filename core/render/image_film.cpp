@@ -21,16 +21,16 @@ int cell_side(const RenderSettings& settings) {
     return settings.target_error > 0 ? 1 : tile_side;
 }
 
-/// Returns whether all components are finite. Compares the bits of their magnitudes as integers,
-/// since the compiler vectorizes a maximum of integers, but not of floats.
+/// Returns whether all components are finite. Compares bits as integers, which the compiler
+/// vectorizes: adding 1 to an exponent carries into the sign where all of its bits are set.
 bool are_finite(std::span<const Color> colors) {
-    std::uint32_t largest = 0;
-    for (const Color& c : colors) {
-        for (const float x : {c.x, c.y, c.z}) {
-            largest = std::max(largest, std::bit_cast<std::uint32_t>(x) & 0x7fffffffU);
-        }
+    constexpr std::uint32_t magnitude = 0x7fffffff, lowest_of_exponent = 0x00800000;
+    static_assert(sizeof(Color) == 3 * sizeof(float));
+    std::uint32_t carries = 0;
+    for (const float& x : std::span(colors.empty() ? nullptr : &colors[0].x, 3 * colors.size())) {
+        carries |= (std::bit_cast<std::uint32_t>(x) & magnitude) + lowest_of_exponent;
     }
-    return largest < std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
+    return carries <= magnitude;
 }
 
 }  // namespace

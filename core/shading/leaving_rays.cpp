@@ -134,7 +134,7 @@ std::size_t LeavingRays::make(std::size_t first) {
 
 void LeavingRays::use_schlick() {
     for (std::size_t i = 0; i < chunk_.count; ++i) {
-        if (surfaces_.sends_on[chunk_.first + i] < 2) continue;
+        if (!surfaces_.is_glass(chunk_.first + i)) continue;
         chunk_.reflectances[i] = fresnel_schlick(chunk_.etas[i], chunk_.cosines[i]).reflectance;
     }
 }

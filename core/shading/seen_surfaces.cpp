@@ -81,9 +81,9 @@ void SeenSurfaces::reset(std::size_t most) {
     for (auto* column : {&fronts, &scatters, &sends_on, &outward_excludes, &inward_excludes}) {
         column->make_room(most);
     }
-    traits.clear();
-    traits.reserve(most);
+    traits.make_room(most);
     runs.clear();
+    size_ = 0;
 }
 
 void SeenSurfaces::find(const Scene& scene, const RayStream& rays, std::span<const Hit> hits) {
@@ -123,7 +123,10 @@ void SeenSurfaces::add_traits(const SurfaceInteraction& any,
     fill(sends_on, etalon::sends_on(any.material));
     fill(outward_excludes, is_flat || convexity == Convexity::convex ? primitive : none);
     fill(inward_excludes, is_flat ? primitive : none);
-    for (const std::uint32_t ray : numbers) traits.push_back({ray, any.material});
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        traits[begin + i] = {numbers[i], any.material};
+    }
+    size_ += numbers.size();
     if (runs.empty() || runs.back().material != any.material) {
         runs.push_back({any.material, begin, begin});
     }

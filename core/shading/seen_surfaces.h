@@ -34,9 +34,10 @@ class SeenSurfaces {
     /// Adds a surface hit by ray number `ray`, which has that direction.
     void add(const SurfaceInteraction& at, const Vec3& direction, std::uint32_t ray);
 
-    std::size_t size() const { return traits.size(); }
+    std::size_t size() const { return size_; }
 
     bool entering(std::size_t i) const { return fronts[i] > 0; }
+    bool is_glass(std::size_t i) const { return sends_on[i] == 2; }
 
     /// One entry for each surface; padded with arbitrary values.
     Vec3Buffer directions;  ///< directions of the rays
@@ -46,7 +47,7 @@ class SeenSurfaces {
     PaddedColumn<double> sends_on;  ///< 0 for no secondary ray, 1 for a mirror, 2 for glass
     /// Ray::exclude of rays that leave on the side of the normal, and on the other.
     PaddedColumn<double> outward_excludes, inward_excludes;
-    std::vector<Traits> traits;
+    PaddedColumn<Traits> traits;
     std::vector<MaterialRun> runs;  ///< cover all surfaces in order
 
   private:
@@ -55,6 +56,7 @@ class SeenSurfaces {
     void add_run(const Scene& scene, const RayStream& rays, std::span<const Hit> hits,
                  std::span<const std::uint32_t> run);
 
+    std::size_t size_ = 0;
     HitOrder order_;
 };
 

@@ -1,5 +1,7 @@
 #include "core/shading/shadow_rays.h"
 
+#include <algorithm>
+
 #define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
 
@@ -79,13 +81,14 @@ HWY_INLINE bool none_faces(const SeenSurfaces& from, std::size_t i, const Vec3La
 }
 
 /// Computes all rays. Returns their number.
-std::size_t aim(const SeenSurfaces& from, const Vec3Buffer& lights, double fixed_bias,
+std::size_t aim(const SeenSurfaces& from, const LightPoints& lights, double fixed_bias,
                 const ShadowColumns& to) {
     const DoubleTag tag;
     const Doubles zero = broadcast(0.0);
+    const Vec3Lanes one = broadcast(lights.one);
     std::size_t count = 0;
     for (std::size_t i = 0; i < from.size(); i += hn::Lanes(tag)) {
-        const Vec3Lanes light = load(lights.span(), i);
+        const Vec3Lanes light = lights.is_one ? one : load(lights.each.span(), i);
         const Vec3Lanes to_light = light - load(from.positions.span(), i);
         if (none_faces(from, i, to_light)) continue;
         const Vec3Lanes towards = normalized(to_light);
@@ -118,7 +121,7 @@ namespace etalon {
 
 HWY_EXPORT(aim);
 
-void ShadowRays::aim(const SeenSurfaces& from, const Vec3Buffer& lights, double fixed_bias) {
+void ShadowRays::aim(const SeenSurfaces& from, const LightPoints& lights, double fixed_bias) {
     rays_.make_room(from.size());
     towards.make_room(from.size());
     cosines.make_room(from.size());
@@ -128,6 +131,11 @@ void ShadowRays::aim(const SeenSurfaces& from, const Vec3Buffer& lights, double 
                                   {rays_.origins.span(), rays_.directions.span(), towards.span(),
                                    rays_.excludes.data(), cosines.data(), surfaces.data()});
     blocked.assign(count_, 0);
+}
+
+std::size_t ShadowRays::first_from(std::size_t surface) const {
+    const std::int64_t* const first = surfaces.data();
+    return std::lower_bound(first, first + count_, static_cast<std::int64_t>(surface)) - first;
 }
 
 }  // namespace etalon

@@ -12,18 +12,28 @@ namespace etalon {
 /// rounding errors of a double.
 inline constexpr double shadow_end = 1 - 0x1p-32;
 
+/// The point of a light to which each surface has a ray: one for all of them, or for each.
+struct LightPoints {
+    bool is_one = false;
+    Vec3 one;
+    Vec3Buffer each;
+};
+
 /// The rays to one light from those surfaces that scatter and face it. They have the bits of
 /// spawn_ray_to(). Reused from batch to batch.
 class ShadowRays {
   public:
-    /// Computes the rays. `lights` is a point of the light for each surface. A `fixed_bias` other
-    /// than 0 is the distance of the origins from the surface along its normal.
-    void aim(const SeenSurfaces& surfaces, const Vec3Buffer& lights, double fixed_bias);
+    /// Computes the rays. A `fixed_bias` other than 0 is the distance of the origins from the
+    /// surface along its normal.
+    void aim(const SeenSurfaces& surfaces, const LightPoints& lights, double fixed_bias);
 
     std::size_t size() const { return count_; }
 
     /// Returns the number of the surface that ray number i leaves. It grows with i.
     std::size_t surface(std::size_t i) const { return static_cast<std::size_t>(surfaces[i]); }
+
+    /// Returns the number of the first ray that leaves that surface or a later one.
+    std::size_t first_from(std::size_t surface) const;
 
     RayStream rays() const {
         RayStream stream = rays_.view(count_);

@@ -45,9 +45,9 @@ TEST_CASE("Highlights found together are those of each shadow ray", "[shading]")
                 constexpr int count = 1000;
                 SeenSurfaces surfaces;
                 surfaces.reset(count);
-                Vec3Buffer lights;
-                lights.make_room(count);
-                for (int i = 0; i < count; ++i) add_lit(m, i, random, surfaces, lights);
+                LightPoints lights;
+                lights.each.make_room(count);
+                for (int i = 0; i < count; ++i) add_lit(m, i, random, surfaces, lights.each);
                 shadow.aim(surfaces, lights, 0);
                 REQUIRE(shadow.size() > 800);
                 values.make_room(shadow.size());

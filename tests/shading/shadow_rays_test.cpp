@@ -59,15 +59,15 @@ TEST_CASE("Shadow rays made together are those that leave each surface", "[shadi
             std::vector<Vec3> lights;
             SeenSurfaces lit;
             lit.reset(count);
-            Vec3Buffer light_columns;
-            light_columns.make_room(count);
+            LightPoints light_points;
+            light_points.each.make_room(count);
             for (std::size_t i = 0; i < count; ++i) {
                 surfaces.push_back(random_surface(random));
                 lights.push_back(random_light(surfaces[i], static_cast<int>(i), random));
-                light_columns.set(i, lights[i]);
+                light_points.each.set(i, lights[i]);
                 lit.add(surfaces[i], Vec3(0), static_cast<std::uint32_t>(i));
             }
-            shadow.aim(lit, light_columns, 0);
+            shadow.aim(lit, light_points, 0);
             const RayStream rays = shadow.rays();
             std::size_t next = 0;
             for (std::size_t i = 0; i < count; ++i) {
@@ -75,6 +75,7 @@ TEST_CASE("Shadow rays made together are those that leave each surface", "[shadi
                 const Vec3 towards = normalized(lights[i] - at.surface.position);
                 CAPTURE(count, i, towards);
                 if (!(at.ns.dot(towards) > 0) || !(at.ng.dot(towards) > 0)) continue;
+                CHECK(shadow.first_from(i) == next);
                 REQUIRE(next < rays.size());
                 REQUIRE(shadow.surfaces[next] == static_cast<std::int64_t>(i));
                 CHECK(shadow.towards[next] == towards);
@@ -84,6 +85,7 @@ TEST_CASE("Shadow rays made together are those that leave each surface", "[shadi
                 ++next;
             }
             CHECK(next == rays.size());
+            CHECK(shadow.first_from(count) == next);
         }
     });
 }
@@ -97,11 +99,8 @@ TEST_CASE("Shadow rays with a fixed bias start that far along the normal", "[sha
         lit.add(surfaces.emplace_back(random_surface(random)), Vec3(0), i);
     }
     const Vec3 light(100, 0, 0);
-    Vec3Buffer lights;
-    lights.make_room(20);
-    for (std::size_t i = 0; i < 20; ++i) lights.set(i, light);
     ShadowRays shadow;
-    shadow.aim(lit, lights, 0.5);
+    shadow.aim(lit, {.is_one = true, .one = light, .each = {}}, 0.5);
     const RayStream rays = shadow.rays();
     CHECK(!rays.empty());
     for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -26,14 +26,14 @@ class RayTree {
     struct Level {
         std::vector<Hit> hits;
         SeenSurfaces surfaces;
-        std::vector<Color> colors;  ///< radiance that the surfaces send back along the rays
+        std::vector<PaddedColor> colors;  ///< radiance that the surfaces send back along the rays
         SecondaryRays secondary;
         std::vector<ShutterTime> secondary_times;
         std::vector<Color> incoming;  ///< radiance that the secondary rays bring back
 
         VertexNames vertices;        ///< one for each surface, for its random choices
         SeededPoints light_samples;  ///< for a point of the light for each surface
-        Vec3Buffer light_points;     ///< that point
+        LightPoints light_points;    ///< that point
         ShadowRays shadow;
         std::vector<ShutterTime> shadow_times;
         PaddedColumn<float> highlights;  ///< at the origin of each shadow ray

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "core/integrators/ray_counts.h"
+#include "core/integrators/whitted/padded_color.h"
 #include "core/scene/render_settings.h"
 #include "core/shading/seen_surfaces.h"
 
@@ -21,14 +21,18 @@ struct RayPath {
 /// batch.
 struct SecondaryRays {
     /// Finds the rays and adds their number to `counts`. `seen_by` holds the paths of the rays that
-    /// hit the surfaces.
+    /// hit the surfaces. Without `names` the new paths keep their names, as nothing is chosen at
+    /// their hits.
     void find(const SeenSurfaces& seen, std::span<const RayPath> seen_by, const WhittedRules& rules,
-              RayCounts& counts);
+              bool names, RayCounts& counts);
 
+    std::size_t count = 0;
+
+    /// One entry for each ray; padded with arbitrary values.
     RayBuffer rays;
-    std::vector<RayPath> paths;
-    std::vector<std::uint32_t> surfaces;  ///< number of the surface that each ray leaves
-    std::vector<Color> weights;           ///< factor of the radiance that each ray brings back
+    PaddedColumn<RayPath> paths;
+    PaddedColumn<std::uint32_t> surfaces;  ///< number of the surface that each ray leaves
+    PaddedColumn<PaddedColor> weights;     ///< factor of the radiance that each ray brings back
 };
 
 }  // namespace etalon

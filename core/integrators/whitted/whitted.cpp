@@ -24,7 +24,9 @@ Color fitted(const Color& c) {
 
 /// Transmittance over a distance (Beer-Lambert).
 Color transmittance(const Color& absorption, double distance) {
-    const auto along = [&](float a) { return static_cast<float>(std::exp(-a * distance)); };
+    const auto along = [&](float a) {
+        return a == 0 ? 1.0F : static_cast<float>(std::exp(-a * distance));
+    };
     const float x = along(absorption.x);
     const auto like_x = [&](float a) { return a == absorption.x ? x : along(a); };
     return {x, like_x(absorption.y), like_x(absorption.z)};
@@ -59,6 +61,7 @@ Whitted::Whitted(const Scene& scene, const BatchIntersector& intersector,
       rules_(settings.whitted) {
     for (const Light& light : scene.whitted().lights)
         lights_.emplace_back(light, settings.samples_per_pixel);
+    any_random_ = std::ranges::any_of(lights_, &LightSamples::is_random);
 }
 
 void Whitted::radiance(const CameraSamples& samples, std::span<Color> colors,
@@ -80,40 +83,44 @@ void Whitted::trace(RayTree& tree, int depth, const RayBatch& batch, std::span<C
     find_surfaces(level, batch, colors);
     const SeenSurfaces& surfaces = level.surfaces;
     (depth == 1 ? counts.camera_hits : counts.secondary_hits) += surfaces.size();
-    add_direct(level, batch, counts);
+    set_direct(level, batch, counts);
     if (depth < max_depth_) add_secondary(tree, depth, batch, counts);
     for (std::size_t j = 0; j < surfaces.size(); ++j) {
-        const std::uint32_t ray = surfaces.traits[j].ray;
-        colors[ray] = level.colors[j];
-        if (!any_absorbs_) continue;
-        const Color& absorption = batch.paths[ray].absorption;
-        if (!is_black(absorption)) colors[ray] *= transmittance(absorption, level.hits[ray].t);
+        colors[surfaces.traits[j].ray] = level.colors[j].color();
     }
+    if (any_absorbs_ && depth > 1) absorb(level, batch, colors);
     if (!rules_.clamp_each_ray) return;
     for (Color& color : colors) color = clamped(color);
 }
 
-/// Intersects the rays with the scene. Sets the colours of rays that miss, and starts those of
-/// surfaces with the ambient term, which needs no other ray.
+/// Attenuates the radiance of surfaces by the media behind which they are seen: none of a camera
+/// ray, which begins outside of all.
+void Whitted::absorb(const RayTree::Level& level, const RayBatch& batch, std::span<Color> colors) {
+    for (std::size_t j = 0; j < level.surfaces.size(); ++j) {
+        const std::uint32_t ray = level.surfaces.traits[j].ray;
+        const Color& absorption = batch.paths[ray].absorption;
+        if (is_black(absorption)) continue;
+        colors[ray] *= transmittance(absorption, level.hits[ray].t);
+    }
+}
+
+/// Intersects the rays with the scene. Sets the colours of rays that miss.
 void Whitted::find_surfaces(RayTree::Level& level, const RayBatch& batch,
                             std::span<Color> colors) const {
     level.hits.resize(batch.rays.size());
     intersector_.closest(batch.rays, level.hits);
-    environment_.set_radiance(batch.rays.directions, level.hits, colors);
     level.surfaces.find(scene_, batch.rays, level.hits);
-    level.colors.resize(level.surfaces.size());
-    for (const SeenSurfaces::MaterialRun& run : level.surfaces.runs) {
-        std::fill_n(level.colors.begin() + static_cast<std::ptrdiff_t>(run.first),
-                    run.last - run.first, run.material->ambient);
+    if (level.surfaces.size() < batch.rays.size()) {
+        environment_.set_radiance(batch.rays.directions, level.hits, colors);
     }
 }
 
 /// Finds the names of the surfaces' choices if there are any to make.
 void Whitted::name_vertices(RayTree::Level& level, const RayBatch& batch) const {
-    if (std::ranges::none_of(lights_, &LightSamples::is_random)) return;
+    if (!any_random_) return;
     level.vertices.clear();
-    for (const auto& traits : level.surfaces.traits) {
-        const RayPath& path = batch.paths[traits.ray];
+    for (std::size_t j = 0; j < level.surfaces.size(); ++j) {
+        const RayPath& path = batch.paths[level.surfaces.traits[j].ray];
         batch.sources[path.sample].add_vertex(path.name, level.vertices);
     }
 }
@@ -121,15 +128,14 @@ void Whitted::name_vertices(RayTree::Level& level, const RayBatch& batch) const 
 /// Finds point number k of the light for each surface.
 void Whitted::find_light_points(std::size_t light, int k, RayTree::Level& level) const {
     const LightSamples& samples = lights_[light];
-    const std::size_t count = level.surfaces.size();
-    level.light_points.make_room(count);
-    if (!samples.is_random()) {
-        const Vec3 position = samples.position(k);
-        for (std::size_t j = 0; j < count; ++j) level.light_points.set(j, position);
+    level.light_points.is_one = !samples.is_random();
+    if (level.light_points.is_one) {
+        level.light_points.one = samples.position(k);
         return;
     }
+    level.light_points.each.make_room(level.surfaces.size());
     level.light_samples.name(level.vertices, light_choice(light), k, samples.count());
-    samples.find_positions(level.light_samples.make(sampler_), level.light_points);
+    samples.find_positions(level.light_samples.make(sampler_), level.light_points.each);
 }
 
 /// Calls add(j, reflected) for each surface j whose shadow ray is not occluded, with the light that
@@ -141,7 +147,7 @@ void Whitted::reflect_light(RayTree::Level& level, const Add& add) const {
     std::size_t first = 0, last = 0;
     for (const SeenSurfaces::MaterialRun& run : level.surfaces.runs) {
         first = last;
-        while (last < shadow.size() && shadow.surface(last) < run.last) ++last;
+        last = shadow.first_from(run.last);
         const Material& m = *run.material;
         const PaddedColor diffuse(m.diffuse), specular(m.specular);
         const auto reflect = [&](const auto& highlight) {
@@ -175,12 +181,17 @@ void Whitted::add_light(std::size_t light, int k, RayTree::Level& level, const R
     take_traits(batch.rays, surfaces, shadow.surfaces.values, rays, level.shadow_times);
     intersector_.occluded(rays, shadow.blocked);
     counts.shadow += shadow.size();
-    counts.shadow_blocked += std::ranges::count(shadow.blocked, 1);
-    reflect_light(level, add);
+    std::size_t arriving = 0;
+    reflect_light(level, [&](std::size_t j, const PaddedColor& reflected) {
+        ++arriving;
+        add(j, reflected);
+    });
+    counts.shadow_blocked += shadow.size() - arriving;
 }
 
-/// Adds the direct light of surfaces with a diffuse or specular term.
-void Whitted::add_direct(RayTree::Level& level, const RayBatch& batch, RayCounts& counts) const {
+/// Sets the surfaces' colours to what they send back without secondary rays. Those without a
+/// diffuse or specular term have no direct light.
+void Whitted::set_direct(RayTree::Level& level, const RayBatch& batch, RayCounts& counts) const {
     const std::size_t count = level.surfaces.size();
     level.lit.assign(count, {});
     name_vertices(level, batch);
@@ -199,8 +210,19 @@ void Whitted::add_direct(RayTree::Level& level, const RayBatch& batch, RayCounts
         }
         for (std::size_t j = 0; j < count; ++j) level.lit[j] += level.reflected[j] * color;
     }
-    for (std::size_t j = 0; j < count; ++j) {
-        if (level.surfaces.scatters[j] > 0) level.colors[j] += level.lit[j].color();
+    combine_direct(level);
+}
+
+/// Sets the surfaces' colours to the ambient term and the direct light.
+void Whitted::combine_direct(RayTree::Level& level) {
+    level.colors.resize(level.surfaces.size());
+    for (const SeenSurfaces::MaterialRun& run : level.surfaces.runs) {
+        const PaddedColor ambient(run.material->ambient);
+        const bool is_lit = level.surfaces.scatters[run.first] > 0;
+        for (std::size_t j = run.first; j < run.last; ++j) {
+            level.colors[j] = ambient;
+            if (is_lit) level.colors[j] += level.lit[j];
+        }
     }
 }
 
@@ -209,24 +231,24 @@ void Whitted::add_secondary(RayTree& tree, int depth, const RayBatch& batch,
                             RayCounts& counts) const {
     RayTree::Level& level = tree.level(depth);
     SecondaryRays& secondary = level.secondary;
-    secondary.find(level.surfaces, batch.paths, rules_, counts);
-    const std::size_t all = secondary.paths.size();
+    secondary.find(level.surfaces, batch.paths, rules_, any_random_, counts);
+    const std::size_t all = secondary.count;
     RayStream rays = secondary.rays.view(all);
     take_traits(batch.rays, level.surfaces, secondary.surfaces, rays, level.secondary_times);
     level.incoming.resize(all);
     for (std::size_t first = 0; first < all; first += batch_size) {
         const std::size_t count = std::min(batch_size, all - first);
-        trace(tree, depth + 1,
-              {rays.subspan(first, count), std::span(secondary.paths).subspan(first, count),
-               batch.sources},
-              std::span(level.incoming).subspan(first, count), counts);
+        trace(
+            tree, depth + 1,
+            {rays.subspan(first, count), std::span(&secondary.paths[first], count), batch.sources},
+            std::span(level.incoming).subspan(first, count), counts);
     }
     if (all == 0) return;
     level.lit.assign(level.surfaces.size(), {});
     for (std::size_t i = 0; i < all; ++i) {
-        level.lit[secondary.surfaces[i]] += PaddedColor(secondary.weights[i] * level.incoming[i]);
+        level.lit[secondary.surfaces[i]] += secondary.weights[i] * PaddedColor(level.incoming[i]);
     }
-    for (std::size_t j = 0; j < level.lit.size(); ++j) level.colors[j] += level.lit[j].color();
+    for (std::size_t j = 0; j < level.lit.size(); ++j) level.colors[j] += level.lit[j];
 }
 
 }  // namespace etalon

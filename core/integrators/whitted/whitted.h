@@ -28,8 +28,10 @@ class Whitted final : public Integrator {
   private:
     void trace(RayTree& tree, int depth, const RayBatch& batch, std::span<Color> colors,
                RayCounts& counts) const;
+    static void absorb(const RayTree::Level& level, const RayBatch& batch, std::span<Color> colors);
     void find_surfaces(RayTree::Level& level, const RayBatch& batch, std::span<Color> colors) const;
-    void add_direct(RayTree::Level& level, const RayBatch& batch, RayCounts& counts) const;
+    void set_direct(RayTree::Level& level, const RayBatch& batch, RayCounts& counts) const;
+    static void combine_direct(RayTree::Level& level);
     void name_vertices(RayTree::Level& level, const RayBatch& batch) const;
     void find_light_points(std::size_t light, int k, RayTree::Level& level) const;
     template <class Add>
@@ -43,7 +45,8 @@ class Whitted final : public Integrator {
     const BatchIntersector& intersector_;
     EnvironmentMap environment_;
     std::vector<LightSamples> lights_;
-    bool any_absorbs_;  ///< some material absorbs light behind its surface
+    bool any_random_ = false;  ///< points on some light are chosen at random
+    bool any_absorbs_;         ///< some material absorbs light behind its surface
     int max_depth_;
     Sampler sampler_;
     WhittedRules rules_;
