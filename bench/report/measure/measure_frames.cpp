@@ -60,8 +60,9 @@ void measure(const FrameRequest& request, Results& results, const TaskProgress& 
 /// Begins with the scenes that were asked for, in case there is no time for all.
 std::vector<Task> frame_tasks(const Settings& settings) {
     std::vector<FrameRequest> requests = settings.frames;
-    std::ranges::stable_partition(
-        requests, [](const FrameRequest& f) { return f.origin == FrameOrigin::given; });
+    // The algorithm of std::ranges returns a subrange, which clang 14 cannot compile.
+    std::stable_partition(requests.begin(), requests.end(),
+                          [](const FrameRequest& f) { return f.origin == FrameOrigin::given; });
     std::vector<Task> tasks;
     for (const FrameRequest& request : requests) {
         tasks.push_back({"frames of " + request.scene, seconds_for(request, settings),
