@@ -76,12 +76,14 @@ class BlockWriter {
         return {reinterpret_cast<const std::uint8_t*>(values_.data()) + first * row, count * row};
     }
 
-    /// Returns false if two rows in the middle of the block compress by less than 4 %, as noise
+    /// Returns false if some rows in the middle of the block compress by less than 4 %, as noise
     /// does. All rows then compress by less than about a tenth, for which a small rendering would
     /// take a quarter longer.
     bool is_worth_zipping(std::size_t count) {
-        if (count < exr_zip_rows / 2) return true;
-        const Bytes middle = rows(count / 2 - 1, 2);
+        constexpr std::size_t sample_bytes = 8192;  // the codes of less would count too much
+        const std::size_t some = sample_bytes / rows(0, 1).size() + 1;
+        if (count < exr_zip_rows / 2 || some > count / 2) return true;
+        const Bytes middle = rows((count - some) / 2, some);
         return 25 * zip_(middle).size() < 24 * middle.size();
     }
 
