@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/numerics/vec.h"
+#include "core/numerics/vec_columns.h"
 
 namespace etalon {
 
@@ -8,5 +8,8 @@ namespace etalon {
 /// coordinates: Perlin 2002, "Improving Noise", with pbrt-v3's gradients. 0 if the point is not
 /// finite.
 double gradient_noise(const Vec3& p);
+
+/// Sets the values at `count` points, several at a time. Both columns are padded.
+void gradient_noise(const Vec3Span& points, std::size_t count, double* values);
 
 }  // namespace etalon
