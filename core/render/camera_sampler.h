@@ -4,6 +4,7 @@
 
 #include "core/integrators/integrator.h"
 #include "core/render/camera_rays.h"
+#include "core/sampling/pixel_ranges.h"
 
 namespace etalon {
 
@@ -34,34 +35,35 @@ class CameraSampler {
 class CameraBatch {
   public:
     /// The sampler must outlive the batch.
-    explicit CameraBatch(const CameraSampler& sampler) : sampler_(sampler) {}
+    explicit CameraBatch(const CameraSampler& sampler)
+        : sampler_(sampler), ranges_(sampler.seed_, sampler.sampler_) {}
 
     /// Adds the samples [first, last) of the pixel, or corner, (x, y).
-    void add(int x, int y, std::uint32_t first, std::uint32_t last);
+    void add(int x, int y, std::uint32_t first, std::uint32_t last) {
+        ranges_.add(x, y, first, last);
+    }
 
-    std::size_t size() const { return pixels_.size(); }
+    std::size_t size() const { return ranges_.samples(); }
 
-    /// Returns the pixel of each sample, in the order in which they were added.
+    /// Return the pixel of each sample, in the order in which they were added, and its position, in
+    /// pixels; valid as long as make()'s result.
     const std::vector<Imath::V2i>& pixels() const { return pixels_; }
-
-    /// Returns the position of each sample, in pixels, in that order; valid as long as make()'s
-    /// result.
     const std::vector<Vec2>& places() const { return places_; }
 
     /// Generates the rays. The result is valid until the next call of a member.
     CameraSamples make();
 
-    void clear();
+    void clear() { ranges_.clear(); }
 
   private:
     void make_samples();
-    void make_rays(std::span<const Vec2> on_lens);
+    void make_rays();
 
     const CameraSampler& sampler_;
+    PixelRanges ranges_;
     std::vector<Imath::V2i> pixels_;
     std::vector<SampleSource> sources_;
-    PointBatch in_pixel_, on_lens_, in_time_;
-    std::vector<Vec2> places_;
+    std::vector<Vec2> places_, on_lens_, in_time_;
     RayBuffer rays_;
     std::vector<ShutterTime> times_;  ///< times of the rays; empty if all are the same
     std::vector<float> weights_;      ///< see CameraSamples

@@ -8,7 +8,7 @@ namespace etalon {
 
 TileRenderer::TileRenderer(const Camera& camera, const Integrator& integrator,
                            const RenderSettings& settings)
-    : settings_(settings),
+    : first_sample_(settings.sample_range().first),
       integrator_(integrator),
       rays_(camera, settings),
       film_(rays_.sampled(settings.window()), settings),
@@ -56,7 +56,7 @@ TileResult TileRenderer::render(std::size_t tile, const std::function<bool()>& i
 /// Returns the number of the pixel's first sample in this part of the image.
 std::uint32_t TileRenderer::first_sample(std::size_t pixel) const {
     const SampleRates& rates = film_.rates();
-    return settings_.sample_range().first * (rates.empty() ? 1U : rates[pixel]);
+    return first_sample_ * (rates.empty() ? 1U : rates[pixel]);
 }
 
 /// Adds the samples that the pixel lacks to the batch, until stopped() if they are many.

@@ -25,7 +25,7 @@ struct TileResult {
 /// their numbers; threads may render different tiles at the same time.
 class TileRenderer {
   public:
-    /// All three must outlive the renderer.
+    /// Camera and integrator must outlive the renderer.
     TileRenderer(const Camera& camera, const Integrator& integrator,
                  const RenderSettings& settings);
 
@@ -81,7 +81,7 @@ class TileRenderer {
     template <class Stopped>
     void add_pixel(int x, int y, const Stopped& stopped, SampleBatch& batch) const;
 
-    const RenderSettings& settings_;
+    const std::uint32_t first_sample_;  ///< number of the first sample at a rate of 1
     const Integrator& integrator_;
     CameraSampler rays_;
     ImageFilm film_;

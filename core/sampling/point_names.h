@@ -8,11 +8,11 @@
 namespace etalon {
 
 /// Names of points that will be generated together, in SoA layout: the seed of each one's set and
-/// its index there. Padded to a multiple of SobolBatch::lanes.
+/// its index there. Padded to a multiple of sobol_lanes.
 class PointNames {
   public:
     void add(std::uint32_t seed, std::uint32_t index) {
-        if (size_ == seeds_.size()) make_room(2 * size_ + SobolBatch::lanes);
+        if (size_ == seeds_.size()) make_room(2 * size_ + sobol_lanes);
         seeds_[size_] = seed;
         indices_[size_] = index;
         ++size_;
@@ -27,7 +27,7 @@ class PointNames {
 
     std::size_t size() const { return size_; }
     std::size_t padded_size() const {
-        return (size_ + SobolBatch::lanes - 1) / SobolBatch::lanes * SobolBatch::lanes;
+        return (size_ + sobol_lanes - 1) / sobol_lanes * sobol_lanes;
     }
     const std::uint32_t* seeds() const { return seeds_.data(); }
     const std::uint32_t* indices() const { return indices_.data(); }

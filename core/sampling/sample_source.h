@@ -20,39 +20,9 @@ class PointSet {
     }
 
   private:
-    friend class PointBatch;
-
     ScrambledSobol sobol_;
     std::uint32_t seed_;
     bool is_sobol_;
-};
-
-/// Ranges of points of point sets of one sampler, generated together.
-class PointBatch {
-  public:
-    /// Adds the points [first, last) of a set.
-    void add(const PointSet& set, std::uint32_t first, std::uint32_t last) {
-        if (set.is_sobol_) {
-            sobol_.add(set.sobol_, first, last);
-        } else {
-            for (std::uint32_t i = first; i < last; ++i) points_.push_back(set(i));
-        }
-    }
-
-    /// Returns the points, in the order in which they were added. They are valid until clear().
-    std::span<const Vec2> make() {
-        sobol_.move_to(points_);
-        return points_;
-    }
-
-    void clear() {
-        sobol_.clear();
-        points_.clear();
-    }
-
-  private:
-    SobolBatch sobol_;
-    std::vector<Vec2> points_;
 };
 
 /// All samples of the pixel (x, y).
@@ -60,6 +30,9 @@ class PixelSamples {
   public:
     PixelSamples(int x, int y, std::uint64_t seed, Sampler sampler = Sampler::sobol)
         : pixel_(name_of(x, y, seed)), sampler_(sampler) {}
+
+    /// The same, of a pixel with that name.
+    PixelSamples(std::uint32_t name, Sampler sampler) : pixel_(name), sampler_(sampler) {}
 
     PointSet points(std::uint32_t dimension) const { return {sampler_, seed(dimension)}; }
 

@@ -18,7 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// A vector of 32-bit words that can be used like a single one.
 struct Words {
-    using Tag = hn::CappedTag<std::uint32_t, SobolBatch::lanes>;
+    using Tag = hn::CappedTag<std::uint32_t, sobol_lanes>;
 
     HWY_INLINE Words(hn::Vec<Tag> from) : words(from) {}
     HWY_INLINE Words(std::uint32_t word) : words(hn::Set(Tag(), word)) {}
@@ -103,9 +103,9 @@ HWY_INLINE Coordinates<Word> scrambled_point(Word index, Word order, Word x, Wor
 /// subtracted before and added after, which is exact.
 HWY_INLINE void store_unit_interval(const Coordinates<Words>& words, Vec2* points) {
     const Words::Tag tag;
-    const hn::CappedTag<double, SobolBatch::lanes / 2> doubles;
+    const hn::CappedTag<double, sobol_lanes / 2> doubles;
     const hn::Rebind<std::int32_t, decltype(doubles)> part;
-    HWY_ALIGN std::int32_t x[SobolBatch::lanes], y[SobolBatch::lanes];
+    HWY_ALIGN std::int32_t x[sobol_lanes], y[sobol_lanes];
     const hn::RebindToSigned<Words::Tag> whole;
     hn::Store(hn::BitCast(whole, (words.x ^ 0x80000000U).words), whole, x);
     hn::Store(hn::BitCast(whole, (words.y ^ 0x80000000U).words), whole, y);

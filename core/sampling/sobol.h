@@ -2,9 +2,8 @@
 // or machine gives the same ones.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <span>
-#include <vector>
 
 #include "core/numerics/vec.h"
 
@@ -20,6 +19,10 @@ inline std::uint32_t hash(std::uint32_t a, std::uint32_t b) {
     return static_cast<std::uint32_t>(h ^ (h >> 33));
 }
 
+/// Number of points to which columns of their names are padded: eight or sixteen take little longer
+/// than one.
+inline constexpr std::size_t sobol_lanes = 16;
+
 /// The two-dimensional Sobol' sequence, Owen-scrambled, with its order shuffled by a scramble of
 /// the index (Burley 2020, "Practical Hash-based Owen Scrambling", JCGT 9(4)). Every seed gives an
 /// independent randomisation.
@@ -32,29 +35,7 @@ class ScrambledSobol {
     Vec2 operator()(std::uint32_t index) const;
 
   private:
-    friend class SobolBatch;
-
     std::uint32_t order_, x_, y_;  ///< seeds of the three scrambles
-};
-
-/// Points of many sequences, generated together: eight or sixteen take little longer than one.
-class SobolBatch {
-  public:
-    static constexpr std::size_t lanes = 16;
-
-    /// Adds the points [first, last) of a sequence.
-    void add(const ScrambledSobol& sequence, std::uint32_t first, std::uint32_t last);
-
-    /// Discards the points that were added.
-    void clear() { size_ = 0; }
-
-    /// Appends the points, in the order in which they were added, and clears the batch.
-    void move_to(std::vector<Vec2>& points);
-
-  private:
-    std::size_t size_ = 0;
-    /// Data of each point, padded to a multiple of `lanes`.
-    std::vector<std::uint32_t> index_, order_, x_, y_;
 };
 
 /// Returns point `index` of a sequence of independent, uniformly distributed points in [0, 1)^2.

@@ -8,7 +8,7 @@
 namespace etalon {
 
 /// The vertices of many paths, in SoA layout: the pixel, the name of the ray (see PathDimension)
-/// and the sample of each. Padded to a multiple of SobolBatch::lanes.
+/// and the sample of each. Padded to a multiple of sobol_lanes.
 class VertexNames {
   public:
     void clear() { size_ = 0; }
@@ -16,8 +16,7 @@ class VertexNames {
     /// Adds the vertex that ray `name` of sample number `index` of a pixel hits.
     void add(std::uint32_t pixel, std::uint32_t name, std::uint32_t index) {
         if (size_ == pixels_.size()) {
-            for (auto* row : {&pixels_, &names_, &indices_})
-                row->resize(2 * size_ + SobolBatch::lanes);
+            for (auto* row : {&pixels_, &names_, &indices_}) row->resize(2 * size_ + sobol_lanes);
         }
         pixels_[size_] = pixel;
         names_[size_] = name;

@@ -1,3 +1,4 @@
+#include "core/sampling/pixel_ranges.h"
 #include "core/sampling/sample_source.h"
 
 #include <algorithm>
@@ -137,18 +138,37 @@ TEST_CASE("Choices at many vertices named together are those of each sample", "[
     });
 }
 
-TEST_CASE("Ranges of points made together are those made one by one", "[sampling]") {
+TEST_CASE("Samples of ranges of pixels made together are those made one by one", "[sampling]") {
     for_each_target([] {
-        for (const Sampler sampler : {Sampler::sobol, Sampler::random}) {
-            PointBatch batch;
+        const std::uint64_t seed = GENERATE(5, 0x300000005);
+        const Sampler sampler = GENERATE(Sampler::sobol, Sampler::random);
+        PixelRanges ranges(seed, sampler);
+        for (const std::uint32_t longest : {3U, 50U}) {
+            ranges.clear();
+            std::vector<Imath::V2i> expected_pixels;
             std::vector<Vec2> expected;
-            for (const std::uint32_t count : {1U, 7U, 8U, 9U, 100U}) {
-                const PointSet points =
-                    PixelSamples(static_cast<int>(count), 3, 5, sampler).points(count % 3);
-                for (std::uint32_t i = 5; i < 5 + count; ++i) expected.push_back(points(i));
-                batch.add(points, 5, 5 + count);
+            for (std::uint32_t i = 0; i < 40; ++i) {
+                const int x = static_cast<int>(i) - 7;
+                const std::uint32_t first = 3 * i, last = first + i % longest;
+                ranges.add(x, 9, first, last);
+                const PointSet points = PixelSamples(x, 9, seed, sampler).points(lens_dimension);
+                for (std::uint32_t k = first; k < last; ++k) {
+                    expected_pixels.emplace_back(x, 9);
+                    expected.push_back(points(k));
+                }
             }
-            CHECK(std::ranges::equal(batch.make(), expected));
+            std::vector<Imath::V2i> pixels;
+            std::vector<SampleSource> sources;
+            std::vector<Vec2> points, alone;
+            REQUIRE(ranges.samples() == expected.size());
+            ranges.name();
+            ranges.list(pixels, sources);
+            ranges.make_points(lens_dimension, points);
+            for (const SampleSource& source : sources)
+                alone.push_back(source.point(lens_dimension));
+            CHECK(pixels == expected_pixels);
+            CHECK(points == expected);
+            CHECK(alone == expected);
         }
     });
 }
