@@ -12,10 +12,6 @@ namespace {
 
 using Difference = Expansion<2>;
 
-Difference exact_difference(double a, double b) {
-    return Difference(two_difference(a, b));
-}
-
 /// Returns d . (p x q), exactly.
 double exact_triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p, const Vec3TwoTerm& q) {
     const auto minor = [&](int i, int j) {
@@ -44,6 +40,22 @@ bool are_parallel(const Vec3TwoTerm& d, const Vec3TwoTerm& p) {
 /// the range of double.
 bool is_in_range(double terms) {
     return terms > 0x1p-800 && terms < infinity;
+}
+
+/// Returns the least term that is not 0; infinity where all are.
+double least_term(const TwoTerm& x) {
+    if (x.error != 0) return std::abs(x.error);
+    return x.value != 0 ? std::abs(x.value) : infinity;
+}
+double least_term(const Vec3TwoTerm& v) {
+    return std::min({least_term(v[0]), least_term(v[1]), least_term(v[2])});
+}
+
+/// Returns whether products of such terms keep all their bits, given the product of the least term
+/// of each factor. The lowest bit of three factors is at least 2^-156 of that, and may still be
+/// multiplied by a direction of usual length.
+bool keep_all_bits(double product_of_least) {
+    return product_of_least > 0x1p-700;
 }
 
 template <class... Numbers>
@@ -75,6 +87,7 @@ std::optional<double> triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p,
     if (!is_in_range(terms)) return std::nullopt;
     const double error_bound = triple_product_error_bound * terms;
     if (tolerance * std::abs(volume.value) > error_bound) return volume.value;
+    if (!keep_all_bits(least_term(d) * least_term(p) * least_term(q))) return std::nullopt;
     if (are_parallel(d, p) || are_parallel(d, q)) return 0;
     return exact_triple_product(d, p, q);
 }
@@ -128,24 +141,27 @@ double exact_dot(const Vec3& n, const Vec3& p, const Vec3& o) {
     const double sum = (term[0] + (term[1] + term[2])).value;
     const double terms =
         std::abs(term[0].value) + std::abs(term[1].value) + std::abs(term[2].value);
-    if (!is_in_range(terms)) {
+    const bool in_range = is_in_range(terms);
+    if (in_range && std::abs(sum) > 0x1p-45 * terms) return sum;
+    if (!in_range || !keep_all_bits(least_term(two_terms(n)) * least_term(d))) {
         if (!is_finite(n) || !is_finite(p) || !is_finite(o)) return nan_value;
         return finite(dot(exactly(n), difference(p, o)));
     }
-    if (std::abs(sum) > 0x1p-45 * terms) return sum;
     const auto exact = [](double x, const TwoTerm& y) { return Expansion<1>(x) * Difference(y); };
     return (exact(n.x, d[0]) + exact(n.y, d[1]) + exact(n.z, d[2])).estimate();
 }
 
 double exact_shear(double x, double a, double b, double y, double c, double e) {
     if ((x == 0 || a == b) && (y == 0 || c == e)) return 0;
-    if (!is_in_range(std::abs(x * (a - b)) + std::abs(y * (c - e)))) {
+    const TwoTerm left = two_difference(a, b), right = two_difference(c, e);
+    const double least_left = least_term(TwoTerm{x, 0}) * least_term(left),
+                 least_right = least_term(TwoTerm{y, 0}) * least_term(right);
+    if (!is_in_range(std::abs(x * left.value) + std::abs(y * right.value)) ||
+        !keep_all_bits(std::min(least_left, least_right))) {
         if (!are_finite(x, a, b, y, c, e)) return nan_value;
         return finite(Dyadic(x) * (Dyadic(a) - Dyadic(b)) - Dyadic(y) * (Dyadic(c) - Dyadic(e)));
     }
-    const auto shear =
-        Expansion<1>(x) * exact_difference(a, b) - Expansion<1>(y) * exact_difference(c, e);
-    return shear.estimate();
+    return (Expansion<1>(x) * Difference(left) - Expansion<1>(y) * Difference(right)).estimate();
 }
 
 }  // namespace etalon

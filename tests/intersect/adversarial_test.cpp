@@ -160,6 +160,32 @@ TEST_CASE("Flat shapes: given a ray from any distance, then hit and miss are exa
     }
 }
 
+TEST_CASE(
+    "Kernels: given a ray that passes an edge by less than any double, then hit and miss are "
+    "exact") {
+    Scene scene;
+    for (const Vec3& v : {Vec3(0), Vec3(0, 1, 1), Vec3(-1, 0, 0), Vec3(1, 0, 0)}) {
+        scene.geometry.add_vertex(v);
+    }
+    scene.geometry.add(Triangle{{0, 1, 2}}, 0);
+    scene.geometry.add(Triangle{{0, 1, 3}}, 0);
+    scene.geometry.add(Box{{1, -1, -1}, {2, 0, 1}}, 0);
+    const auto is_hit = [&](std::uint32_t primitive, const Vec3& from, const Vec3& towards) {
+        return primitive_first_hit(scene.geometry, primitive, RayQuery(Ray{from, towards})) > 0;
+    };
+    const double slow = 0x1p-400, near = 0x1p-900;
+    // Through the vertex, or past it: above it both edges are next to the ray.
+    for (const std::uint32_t triangle : {0U, 1U}) {
+        CAPTURE(triangle);
+        CHECK(is_hit(triangle, {-slow, -1, 0}, {slow, 1, 0}));
+        CHECK(is_hit(triangle, {-slow, -1, near}, {slow, 1, 0}) == (triangle == 1));
+        CHECK_FALSE(is_hit(triangle, {-slow, -1, -near}, {slow, 1, 0}));
+    }
+    CHECK(is_hit(2, {near, -slow, 0}, {1, slow, 0}));
+    CHECK(is_hit(2, {0, -slow, 0}, {1, slow, 0}));
+    CHECK_FALSE(is_hit(2, {-near, -slow, 0}, {1, slow, 0}));
+}
+
 TEST_CASE("Flat shapes: given a ray that begins next to their plane, then t is exact") {
     Scene scene;
     const std::array corners = {Vec3(0, 4, -3), Vec3(0, 4, 5), Vec3(0, -4, 5), Vec3(0, -4, -3)};

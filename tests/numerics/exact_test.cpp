@@ -139,6 +139,21 @@ TEST_CASE("shear_sign: given products that nearly cancel, then the sign is the t
     REQUIRE(wrong_in_double > 1000);
 }
 
+TEST_CASE("Exact signs: given a product below the range of double that decides, then it does") {
+    // All other terms cancel.
+    const double slow = 0x1p-400;
+    for (const double near : {0x1p-900, -0x1p-900}) {
+        const int expected = near > 0 ? 1 : -1;
+        const Vec3 o(-slow, -1, near), d(slow, 1, 0), a(0), b(0, 1, 1);
+        CHECK(sign(exact_edge_sign(o, d, a, b)) == expected);
+        CHECK(sign(exact_edge_volume(o, d, a, b)) == expected);
+        CHECK(sign(exact_edge_volume(o, d, b, a)) == -expected);
+        CHECK(sign(exact_dot({1, slow, 0}, {0, 1, 0}, {slow, near, 0})) == -expected);
+        CHECK(sign(shear_sign(slow, 1, near, 1, 0, -slow)) == -expected);
+        CHECK(sign(shear_sign(1, 0, -slow, slow, 1, near)) == expected);
+    }
+}
+
 TEST_CASE(
     "Expansion: given a value split over many terms, then the estimate is its nearest double") {
     Random random(20260129);
