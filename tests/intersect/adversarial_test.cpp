@@ -186,6 +186,31 @@ TEST_CASE(
     CHECK_FALSE(is_hit(2, {-near, -slow, 0}, {1, slow, 0}));
 }
 
+TEST_CASE(
+    "Flat shapes: given a ray that begins so near their point that products underflow, then its "
+    "side is exact") {
+    Scene scene;
+    const Vec3 x(0.8, -0.6, 0), y(0.48, 0.64, -0.6), normal(0.36, 0.48, 0.8);
+    scene.geometry.add(Plane{Vec3(0), 0x1p-66 * normal}, 0);
+    scene.geometry.add(Ring{Vec3(0), 0x1p-66 * normal, 0, 1}, 0);
+    const Profile disk{.along = Profile::Along::radius, .high = 1};
+    scene.geometry.add(Revolved({x, y, normal, Vec3(0)}, disk, Sector(360)), 0);
+    const auto primitive = GENERATE(0U, 1U, 2U);
+    Random random(14);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 in_plane = random.uniform(-1, 1) * x + random.uniform(-1, 1) * y;
+        const auto is_hit = [&](const Vec3& from, const Vec3& towards) {
+            const RayQuery query(Ray{from, towards});
+            return primitive_first_hit(scene.geometry, primitive, query) > 0;
+        };
+        // Scaled up by a power of two, the same ray is far from underflow.
+        const Vec3 near = 0x1p-960 * in_plane, far = 0x1p-100 * in_plane;
+        CAPTURE(i, primitive, in_plane);
+        REQUIRE(is_hit(near, normal) == is_hit(far, normal));
+        REQUIRE(is_hit(near, -normal) == is_hit(far, -normal));
+    }
+}
+
 TEST_CASE("Flat shapes: given a ray that begins next to their plane, then t is exact") {
     Scene scene;
     const std::array corners = {Vec3(0, 4, -3), Vec3(0, 4, 5), Vec3(0, -4, 5), Vec3(0, -4, -3)};

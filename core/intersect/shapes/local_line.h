@@ -51,14 +51,19 @@ struct LocalLine {
     }
 
     Vec3 w, d;
-    double distance;  ///< in world space; if it underflows, no range holds it either
+    double distance;  ///< in world space; infinite, and so out of range, if its square underflows
     double speed;     ///< at least the length of the direction, in world space
 
   private:
+    static double length_in_range(const Vec3& v) {
+        const double square = v.dot(v);
+        return square > 0x1p-900 || v == Vec3(0) ? std::sqrt(square) : infinity;
+    }
+
     LocalLine(const LocalFrame& frame, const Vec3& from, const Vec3& towards)
         : w(frame.vector(from)),
           d(frame.vector(towards)),
-          distance(std::sqrt(from.dot(from))),
+          distance(length_in_range(from)),
           speed(sum_abs(towards)) {}
 };
 

@@ -23,7 +23,8 @@ inline double first_hit(const Geometry&, const Plane& p, Sides sides, const RayQ
     double cosine = n.dot(d), distance = n.dot(offset);
     const double cosine_scale = abs(n).dot(abs(d)), distance_scale = abs(n).dot(abs(offset));
     const bool certain = std::abs(cosine) > 4 * u * cosine_scale &&
-                         std::abs(distance) > 5 * u * distance_scale && cosine_scale > 0x1p-900;
+                         std::abs(distance) > 5 * u * distance_scale &&
+                         std::min(cosine_scale, distance_scale) > 0x1p-900;  // no underflow
     if (certain && (cosine > 0) != (distance > 0)) return no_hit;
     if (!certain || std::abs(cosine) < good * cosine_scale) cosine = exact_dot(n, d);
     if (!certain || std::abs(distance) < good * distance_scale) {

@@ -22,7 +22,7 @@ HWY_INLINE HitLanes first_hits(const Plane& p, Sides sides, const RayLanes& rays
     const DoubleMask certain =
         hn::And(hn::And(cosine_size > broadcast(4 * unit_roundoff) * cosine_scale,
                         distance_size > broadcast(5 * unit_roundoff) * distance_scale),
-                cosine_scale > broadcast(0x1p-900));
+                hn::Min(cosine_scale, distance_scale) > broadcast(0x1p-900));
     const DoubleMask missed = hn::And(certain, hn::Xor(cosine > zero, distance > zero));
     const DoubleMask decided = hn::And(certain, hn::And(cosine_size >= good * cosine_scale,
                                                         distance_size >= good * distance_scale));
