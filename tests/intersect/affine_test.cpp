@@ -1,4 +1,4 @@
-// Ellipsoids and closed cylinders: tests beyond the table of shapes.
+// Images of unit shapes: tests beyond the table of shapes.
 #include "core/intersect/kernels.h"
 #include "core/intersect/shapes/all_shapes.h"
 #include "tests/catch.h"
@@ -22,6 +22,20 @@ Ray any_ray(const Affine& map, Random& random) {
     const double size = map.x.length() + map.y.length() + map.z.length();
     const Vec3 origin = map.origin + random.uniform(0, 10) * size * random.direction();
     return {origin, map.point(1.2 * random.in_cube()) - origin};
+}
+
+double fast_path(const Revolved& s, Sides sides, const RayQuery& q) {
+    return RevolvedFastPath(s, q).first_hit(sides);
+}
+
+template <class Image>
+double exact_hit(const Image& image, Sides sides, const RayQuery& q) {
+    const Passage x = exact_passage(image, q.ray);
+    return first_visible(x.entry, x.exit, sides, q.ray.tmin);
+}
+
+double exact_hit(const Revolved& s, Sides sides, const RayQuery& q) {
+    return exact_first_hit(s, sides, q.ray);
 }
 
 const ClosedCylinder can{Affine{}};
@@ -104,7 +118,7 @@ TEMPLATE_TEST_CASE("Images: given a mirrored unit shape, then it is the same sha
 
 TEMPLATE_TEST_CASE(
     "Images: given any ray, then exact arithmetic says what the fast path is certain of", "",
-    Ellipsoid, ClosedCylinder) {
+    Ellipsoid, ClosedCylinder, Revolved) {
     int uncertain_answers = 0, hits = 0, rays = 0;
     for (const ShapeCase& shape : shape_cases()) {
         if (shape.scene.geometry.primitives[0].kind != kind_of<TestType>()) continue;
@@ -117,8 +131,7 @@ TEMPLATE_TEST_CASE(
             ++rays;
             uncertain_answers += t == uncertain;
             if (t == uncertain) continue;
-            const Passage x = exact_passage(image, query.ray);
-            const double exact = first_visible(x.entry, x.exit, sides, query.ray.tmin);
+            const double exact = exact_hit(image, sides, query);
             CAPTURE(shape.name, i, t, exact);
             REQUIRE(std::isnan(t) == std::isnan(exact));
             hits += t > 0;
