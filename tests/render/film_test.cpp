@@ -51,3 +51,20 @@ TEST_CASE("Films add up to the same means in any order, for sums of any size", "
     std::vector<int> order{0, 1, 2, 3, 4, 5};
     while (std::next_permutation(order.begin(), order.end())) CHECK(mean_in_order(order) == mean);
 }
+
+TEST_CASE("Films that are sums already add up to the same means", "[film]") {
+    const Imath::Box2i window({0, 0}, {0, 0});
+    const auto sum_of = [&](std::initializer_list<float> values) {
+        Film sum(window);
+        for (const float value : values) {
+            Film film(window);
+            film.add(0, 0, Color(value));
+            sum.add(film);
+        }
+        return sum;
+    };
+    Film groups = sum_of({3, -7e15F});
+    groups.add(sum_of({7e15F, 1e-9F}));
+    CHECK(groups.counts() == std::vector<std::uint32_t>{4});
+    CHECK(groups.mean(0) == sum_of({3, -7e15F, 7e15F, 1e-9F}).mean(0));
+}
