@@ -55,6 +55,15 @@ TEST_CASE("A map has sides of powers of two, as pbrt-v3 makes it of any other", 
     CHECK(bright.texel(0, 0).x >= 0);
 }
 
+TEST_CASE("A map goes on from its other side beyond every border, as in pbrt-v3", "[light]") {
+    const SphericalImage map(2, 2, {Color(1), Color(2), Color(4), Color(8)});
+    CHECK(map.at({0.25, 0}) == Color(2.5F));
+    CHECK(map.at({0.75, 1}) == Color(5));
+    CHECK(map.at({0, 0.25}) == Color(1.5F));
+    CHECK(map.at({1, 0.75}) == Color(6));
+    CHECK(map.at({0, 0}) == Color(3.75F));
+}
+
 TEST_CASE("Directions are sampled as often as their density says", "[light]") {
     const test::TemporaryFolder folder;
     std::vector<std::string> problems;
