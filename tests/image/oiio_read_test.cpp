@@ -255,6 +255,27 @@ TEST_CASE("a TIFF is upright, whatever its orientation") {
     }
 }
 
+TEST_CASE("a TIFF that has a place on a page is read from its own first row and column") {
+    const TemporaryFolder folder;
+    constexpr unsigned entries = 12, fractions = 8 + 2 + 12 * entries + 4;
+    Tiff t;
+    t.number(0, 1);
+    t.number(8, 4);
+    t.word(entries);
+    t.entry(256, 3, 1, 2), t.entry(257, 3, 1, 3);
+    t.entry(258, 3, 1, 8), t.entry(259, 3, 1, 1), t.entry(262, 3, 1, 1);
+    t.entry(273, 4, 1, fractions + 24);                            // offset of the pixels
+    t.entry(278, 3, 1, 3), t.entry(279, 4, 1, 6);                  // rows and bytes of the strip
+    t.entry(282, 5, 1, fractions), t.entry(283, 5, 1, fractions);  // pixels in a unit of length
+    t.entry(286, 5, 1, fractions + 8), t.entry(287, 5, 1, fractions + 16);  // place: x, y
+    t.number(0, 4);
+    for (const unsigned number : {1, 5, 2}) t.number(number, 4), t.number(1, 4);
+    const Image image = read(folder, "p.tif", t.text + "abcdef");
+    CHECK(image.width == 2);
+    CHECK(image.height == 3);
+    CHECK(text_of(std::get<Bytes>(image.pixels)) == "abcdef");
+}
+
 TEST_CASE("tiles are put in their places, cut at the edge") {
     const TemporaryFolder folder;
     const Image image = read(folder, "p.tif", tiled_tiff());
