@@ -33,7 +33,7 @@ void apply(const JpegKind& kind, jpeg_compress_struct& info) {
     info.restart_in_rows = kind.restart;
 }
 
-/// Chunks that say how colours below are stored: a palette, transparency, gamma.
+/// Chunks that say how colours below are stored, a palette, transparency and gamma, and where.
 void add_chunks(const PngKind& kind, png_structp png, png_infop info, Random& random) {
     if (kind.color_type == PNG_COLOR_TYPE_PALETTE) {
         png_color colors[256];
@@ -49,6 +49,7 @@ void add_chunks(const PngKind& kind, png_structp png, png_infop info, Random& ra
         png_set_tRNS(png, info, alpha.data(), static_cast<int>(alpha.size()) - 1, &color);
     }
     if (kind.gamma > 0) png_set_gAMA(png, info, kind.gamma);
+    if (kind.place_unit >= 0) png_set_oFFs(png, info, 3, 2, kind.place_unit);
 }
 
 void append(png_structp png, png_bytep bytes, std::size_t size) {

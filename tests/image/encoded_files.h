@@ -32,7 +32,8 @@ struct PngKind {
     int color_type = PNG_COLOR_TYPE_RGB, depth = 8;
     bool transparent = false;  ///< a tRNS chunk
     bool interlaced = false;
-    double gamma = 0;  ///< of a gAMA chunk; 0: none
+    double gamma = 0;     ///< of a gAMA chunk; 0: none
+    int place_unit = -1;  ///< of an oFFs chunk, which has the place (3, 2); -1: none
 
     std::string name() const;
 };

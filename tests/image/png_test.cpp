@@ -1,6 +1,7 @@
 #include "core/image/encode.h"
 #include "core/image/io.h"
 #include "tests/catch.h"
+#include "tests/image/encoded_files.h"
 #include "tests/image/random_images.h"
 #include "tests/temporary_folder.h"
 
@@ -49,5 +50,21 @@ TEST_CASE("a crop's PNG holds the crop") {
     REQUIRE(read.error == "");
     CHECK(read.value.width == 6);
     CHECK(read.value.height == 4);
+    CHECK(read.value.origin == Imath::V2i(3, 2));
     CHECK(bytes_of(read.value) == display_bytes(rendered, 0));
+    REQUIRE(write_image(folder / "whole.png", random_image(10, 8)) == "");
+    CHECK_FALSE(read_image(folder / "whole.png").value.origin);
+}
+
+TEST_CASE("a PNG's place on paper, in micrometres, is none in an image") {
+    const TemporaryFolder folder;
+    PngKind kind;
+    kind.place_unit = PNG_OFFSET_MICROMETER;
+    put(folder / "p.png", encoded_png(kind, 5, 4));
+    const Result<Image> on_paper = read_image(folder / "p.png");
+    REQUIRE(on_paper.error == "");
+    CHECK_FALSE(on_paper.value.origin);
+    kind.place_unit = PNG_OFFSET_PIXEL;
+    put(folder / "p.png", encoded_png(kind, 5, 4));
+    CHECK(read_image(folder / "p.png").value.origin == Imath::V2i(3, 2));
 }
