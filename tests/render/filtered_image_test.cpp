@@ -95,7 +95,7 @@ TEST_CASE("A filtered image ends near the target error", "[film]" ETALON_LONG_IF
             CAPTURE(static_cast<int>(filter.kind), aperture, *r.expected_error, real, r.samples);
             CHECK(r.complete);
             CHECK(*r.expected_error <= 1.03 * 3e-4);
-            CHECK(real < 2 * 3e-4);
+            CHECK(real < 1.6 * 3e-4);
             CHECK(real > 0.7 * 3e-4);
         }
     }
