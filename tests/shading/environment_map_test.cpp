@@ -1,6 +1,8 @@
 // Lazy reading of a skybox's images, and the treatment of damaged ones.
 #include "core/shading/environment_map.h"
 
+#include <algorithm>
+
 #include "core/color/srgb.h"
 #include "core/image/io.h"
 #include "core/parallel/parallel.h"
@@ -60,9 +62,10 @@ Environment skybox_of_texels(const TemporaryFolder& folder) {
     return environment;
 }
 
-/// Returns where the centre of a small face's texel looks, as scenes/skybox/make.py draws it: s to
-/// the right and t upwards, seen from inside. +X is on the left.
-Vec3 towards_texel(std::size_t face, int column, int row) {
+/// Returns where the centre of a small face's texel, or a point between centres, looks, as
+/// scenes/skybox/make.py draws it: s to the right and t upwards, seen from inside. +X is on the
+/// left.
+Vec3 towards_texel(std::size_t face, double column, double row) {
     const double s = (2 * column + 1.0) / small_size - 1, t = 1 - (2 * row + 1.0) / small_size;
     const std::array<Vec3, 6> directions = {Vec3(-1, t, -s), Vec3(1, t, s),  Vec3(-s, 1, -t),
                                             Vec3(-s, -1, t), Vec3(-s, t, 1), Vec3(s, t, -1)};
@@ -115,6 +118,23 @@ TEST_CASE("a face is read when a ray first hits it") {
 
 TEST_CASE("each texel of each face is seen where it is drawn") {
     check_texels(false, {0, 1, 2, 3}, {0, 1, 2, 3});
+}
+
+TEST_CASE("a face is interpolated between the centres of its texels, and even beyond the last") {
+    const TemporaryFolder folder;
+    std::vector<std::string> problems;
+    const EnvironmentMap map(skybox_of_texels(folder), Encoding::linear, problems);
+    REQUIRE(problems.empty());
+    for (std::size_t k = 0; k < towards.size(); ++k) {
+        for (const double column : {-0.4, 0.25, 1.5, 2.9, 3.4}) {
+            const double row = 2.3 - column / 2;
+            CAPTURE(k, column, row);
+            const Color seen = map.radiance(towards_texel(k, column, row));
+            CHECK(seen.x == Approx(k).margin(1e-5));
+            CHECK(seen.y == Approx(std::clamp(column, 0.0, small_size - 1.0)).margin(1e-5));
+            CHECK(seen.z == Approx(row).margin(1e-5));
+        }
+    }
 }
 
 TEST_CASE("the old programs' texel is the one before (size - 1) s and (size - 1) t") {
