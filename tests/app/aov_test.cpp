@@ -46,6 +46,8 @@ TEST_CASE("--aov writes the requested channels to the EXR", "[app]") {
     CHECK(at("uv.V") == Approx(1 - std::acos(z) / 3.14159265).margin(1e-4));
     CHECK(at("dpdu.X") == Approx(-2 * 3.14159265 * y).margin(1e-4));
     CHECK(at("dpdu.Y") == Approx(2 * 3.14159265 * x).margin(1e-4));
+    CHECK(at("dpdv.X") == Approx(-3.14159265 * z * x / std::hypot(x, y)).margin(1e-4));
+    CHECK(at("dpdv.Z") == Approx(3.14159265 * std::hypot(x, y)).margin(1e-4));
     CHECK(albedo[middle] == Approx(0.7 * 0.2 + 0.3));
     CHECK(ids[0] == 4294967295U);
     CHECK(depths[0] == std::numeric_limits<float>::infinity());
