@@ -70,8 +70,9 @@ function(etalon_install_package)
   install(FILES scenes/showcase.p3f
     DESTINATION ${CMAKE_INSTALL_DATADIR}/etalon/scenes COMPONENT programs)
   # What help texts and manual pages refer to; links between these files hold there, too.
-  install(DIRECTORY docs scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/etalon COMPONENT programs
-    USE_SOURCE_PERMISSIONS)
+  install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/etalon COMPONENT programs)
+  install(PROGRAMS scripts/slurm/submit scripts/slurm/task
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/etalon/scripts/slurm COMPONENT programs)
   install(FILES README.md SECURITY.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/etalon
     COMPONENT programs)
   # Debian requires one of each package.

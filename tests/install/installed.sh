@@ -14,7 +14,8 @@ fail() {
 
 install_and_move() {
     prefix="$scratch/moved here"
-    cmake --install "$1" --prefix "$scratch/prefix" >"$scratch/log" || fail "$(cat "$scratch/log")"
+    (umask 022 && cmake --install "$1" --prefix "$scratch/prefix") >"$scratch/log" ||
+        fail "$(cat "$scratch/log")"
     mv "$scratch/prefix" "$prefix"
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # installed_programs.sh SOURCE BINARY|PREFIX: whether the installed programs work wherever they are moved,
-# and have a manual page for each command with each of its options.
+# for every user, and have a manual page for each command with each of its options.
 source "$(dirname "$0")/installed.sh"
 
 # A skybox of Radiance files, which OpenImageIO alone reads: the module must be found beside the
@@ -67,6 +67,15 @@ check_documents() {
         grep -q '^usage: submit parts' || fail "scripts/slurm/submit does not run"
 }
 
+# What root installs, others read and run.
+check_permissions() {
+    local closed
+    closed=$(find "$prefix" -path '*etalon*' \( ! -perm -go=r -o ! -perm -go=x \
+        \( -type d -o -path '*/bin/*' -o -path '*/slurm/*' \) \))
+    [[ -z $closed ]] || fail "only the owner may use: $closed"
+}
+
+check_permissions
 check_render "$@"
 check_pages
 check_documents

@@ -33,10 +33,11 @@ inside() {
     }
 }
 
+# Packages must not depend on the umask of who makes them.
 make_packages() {
     bare maker
-    git clone -q "$source" "$scratch/maker/etalon"
-    inside maker "/etalon/dev package"
+    (umask 077 && git clone -q "$source" "$scratch/maker/etalon")
+    inside maker "umask 077 && /etalon/dev package"
     packages=$scratch/maker/etalon/build/packages
 }
 
