@@ -3,6 +3,9 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <cstdlib>
+#include <string_view>
+
 #include "app/common/console.h"
 #include "app/common/progress_line.h"
 
@@ -26,13 +29,16 @@ int columns() {
     return (known ? size.ws_col : usual_columns) - 1;
 }
 
+/// Returns whether standard error is a terminal on which a line can be written over.
+bool can_rewrite_lines() {
+    const char* const kind = std::getenv("TERM");
+    return isatty(STDERR_FILENO) != 0 && (kind == nullptr || std::string_view(kind) != "dumb");
+}
+
 }  // namespace
 
 Progress::Progress(std::string what)
-    : what_(std::move(what)),
-      terminal_(isatty(STDERR_FILENO) != 0),
-      start_(Clock::now()),
-      last_(start_) {}
+    : what_(std::move(what)), terminal_(can_rewrite_lines()), start_(Clock::now()), last_(start_) {}
 
 Progress::~Progress() {
     if (terminal_ && printed_) write_fleeting("\r\x1b[K");

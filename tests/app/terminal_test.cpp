@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "app/common/progress_line.h"
@@ -20,6 +21,7 @@ std::string shown_on_terminal(const std::string& command, unsigned short columns
     int terminal = -1;
     const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
     if (child == 0) {
+        setenv("TERM", "xterm", 1);
         execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
         _exit(127);
     }
@@ -95,4 +97,15 @@ TEST_CASE("The progress bar of a scene with a long path stays on one line", "[ap
         CHECK(bar.size() < 60);
         CHECK_THAT(bar, ContainsSubstring("/ball.p3f ["));
     }
+}
+
+TEST_CASE("Progress: given a terminal that moves no cursor, then there is no bar", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::string text = shown_on_terminal(
+        "cd '" + f.path("") +
+            "' && TERM=dumb exec '" ETALON_BINARY_DIR
+            "/bin/etalon' render ball.p3f --spp 10000000 --time-limit 0.5 -o a.exr",
+        80);
+    CHECK_THAT(text, !ContainsSubstring("\x1b") && ContainsSubstring("-> a.exr"));
 }
