@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,15 @@
 namespace etalon {
 namespace detail {
 
-/// Throws if the program's own folder is unknown, as without /proc: any other folder, such as the
-/// current one, may be a stranger's.
+/// Throws if the folder is unknown, as the program's own is without /proc: any other folder, such
+/// as the current one, may be a stranger's.
 inline std::vector<std::filesystem::path> module_folders() {
     namespace fs = std::filesystem;
-    if (const char* chosen = std::getenv("ETALON_MODULE_PATH")) return {chosen};
+    if (const char* chosen = std::getenv("ETALON_MODULE_PATH")) {
+        if (*chosen == 0)
+            throw std::runtime_error("ETALON_MODULE_PATH is empty; expected a folder");
+        return {chosen};
+    }
     const fs::path prefix = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
     return {prefix / "lib", prefix / "lib" / "etalon"};
 }

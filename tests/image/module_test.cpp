@@ -65,6 +65,8 @@ TEST_CASE("OpenImageIO is loaded by the first call that needs it, and not before
     put(folder / "etalon_oiio.so", "not a library");
     CHECK_THAT(error_with_modules_in(folder / ".", path),
                ContainsSubstring("cannot be loaded") && ContainsSubstring("etalon_oiio.so"));
+    CHECK_THAT(error_with_modules_in("", path),
+               ContainsSubstring("ETALON_MODULE_PATH is empty; expected a folder"));
     CHECK(error_with_modules_in(ETALON_BINARY_DIR "/lib", path) == "");
 
     CHECK_FALSE(has_openimageio());
