@@ -11,6 +11,7 @@
 #include "app/common/fail.h"
 #include "app/common/integrators.h"
 #include "app/common/output.h"
+#include "app/common/program_facts.h"
 #include "app/common/progress.h"
 #include "app/common/reference_image.h"
 #include "app/common/signals.h"
@@ -81,7 +82,7 @@ std::string measure_foreign_images(ConvergenceArguments& a, const RenderSettings
     const Result<std::vector<ForeignImage>> images = read_foreign_images(a);
     if (!images) return images.error;
     const Result<ReferenceImage> reference = read_reference_image(a.reference, settings);
-    if (!reference) return "error: " + reference.error;
+    if (!reference) return fmt::format("{}: error: {}", program_name(), reference.error);
     Result<std::vector<ForeignCurve>> curves =
         measure_foreign(images.value, reference.value, settings);
     measured.foreign = std::move(curves.value);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/common/program_facts.h"
 #include "app/common/scene_files.h"
 #include "app/common/stand_ins.h"
 #include "bench/scenes/bench_families.h"
@@ -75,7 +76,9 @@ std::string check_scene_name(const std::string& name) {
 
 NamedScene bench_scene(const std::string& name) {
     const std::string error = check_scene_name(name);
-    if (!error.empty()) return {std::nullopt, {}, "error: " + error + "\n"};
+    if (!error.empty()) {
+        return {std::nullopt, {}, fmt::format("{}: error: {}\n", program_name(), error)};
+    }
     const Request request(name);
     if (request.family == nullptr) return from_file(name);
     RenderSettings settings;

@@ -43,6 +43,16 @@ TEST_CASE("convergence: given an integrator that cannot render the scene, then i
     CHECK_FALSE(f.has("c.json"));
 }
 
+TEST_CASE("convergence: given no such scene or reference, then the program says so by its name") {
+    const TexturedFolder f;
+    CHECK_THAT(f.bench("convergence soap").err,
+               ContainsSubstring("etalon-bench: error: soap: no such scene"));
+    f.write("t.tsv", "image\tcpu_s\nx.png\t1\n");
+    const auto r = f.bench("convergence t.pbrt --foreign t.tsv --reference none.exr");
+    CHECK(r.status == 3);
+    CHECK_THAT(r.err, ContainsSubstring("etalon-bench: error: none.exr: cannot be read"));
+}
+
 TEST_CASE("convergence: given a kill in a curve, then its files have the curves before it") {
     const TexturedFolder f;
     // The second curve takes a thousand times as long as the first: its backend tests every sphere.
