@@ -34,6 +34,23 @@ run_project() {
     grep -q '^table:1:1: error: ' log || fail "the loader says: $(cat log)"
 }
 
+# The headers over Embree need to be told its version, which the target knows.
+check_embree_headers() {
+    local header
+    mkdir headers
+    for header in "$prefix"/include/etalon/embree_backend/*.h; do
+        printf '#include "embree_backend/%s"\n' "$(basename "$header")"
+    done >headers/headers.cpp
+    printf 'static_assert(ETALON_EMBREE_MAJOR == RTC_VERSION_MAJOR);\n' >>headers/headers.cpp
+    printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(Headers LANGUAGES CXX)' \
+        'find_package(Etalon CONFIG REQUIRED)' 'add_library(headers OBJECT headers.cpp)' \
+        'target_link_libraries(headers PRIVATE etalon::embree_backend)' >headers/CMakeLists.txt
+    cmake -S headers -B headers/build -G Ninja -DCMAKE_CXX_COMPILER="$compiler" \
+        -DCMAKE_PREFIX_PATH="$prefix" >log 2>&1 || fail "$(cat log)"
+    cmake --build headers/build >log 2>&1 || fail "$(cat log)"
+}
+
 check_headers
+check_embree_headers
 build_project "$1"
 run_project
