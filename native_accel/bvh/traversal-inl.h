@@ -7,6 +7,7 @@
 #endif
 
 #include "native_accel/bvh/stack.h"
+#include "native_accel/bvh/wide_tree.h"
 #include "native_accel/common/slabs-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -6,6 +6,8 @@
 #define ETALON_GRID_VISIT_INL_H
 #endif
 
+#include <hwy/highway.h>
+
 #include "native_accel/grid/grid_traversal.h"
 #include "native_accel/grid/packed_grid.h"
 

@@ -10,6 +10,7 @@
 
 #include "core/intersect/ray_packet.h"
 #include "core/numerics/vec_lanes-inl.h"
+#include "core/scene/primitive_runs.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {

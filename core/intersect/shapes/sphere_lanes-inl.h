@@ -8,6 +8,7 @@
 
 #include "core/intersect/shapes/ray_lanes-inl.h"
 #include "core/intersect/shapes/sphere.h"
+#include "core/numerics/exact.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
