@@ -1,6 +1,12 @@
 # find_package(Etalon CONFIG): the libraries of Etalon as targets etalon::<name>.
 include(CMakeFindDependencyMacro)
 
+# Debian's Imath reports as a status, when it is found first, that its module for Python is missing, which
+# nothing here uses.
+set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
+find_package(Imath 3 CONFIG QUIET)
+unset(CMAKE_MESSAGE_LOG_LEVEL)
+
 list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 include(${CMAKE_CURRENT_LIST_DIR}/EtalonDependencies.cmake)
 foreach(dependency IN LISTS ETALON_DEPENDENCIES)

@@ -19,6 +19,7 @@ check_headers() {
 build_project() {
     cmake -S "$1/tests/install/project" -B build -G Ninja -DCMAKE_BUILD_TYPE=Release \
         -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_PREFIX_PATH="$prefix" >log 2>&1 || fail "$(cat log)"
+    if grep -q 'faulty' log; then fail "find_package(Etalon) alarms its users: $(cat log)"; fi
     cmake --build build >log 2>&1 || fail "$(cat log)"
 }
 
