@@ -26,6 +26,8 @@ set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libetalon-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 list(JOIN ETALON_DEBIAN_PACKAGES ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
+# Programs that link the libraries need a module of it to read images of rarer formats.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS etalon)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION 
   "Static libraries, headers and the configuration for CMake, for those who write a backend or a loader.")
 
