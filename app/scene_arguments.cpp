@@ -108,7 +108,8 @@ LoadedScene load(SceneArguments a, std::optional<std::string_view> text) {
     if (!result.scene) return {std::nullopt, {}, exit_unusable, std::move(result.diagnostics)};
     if (!a.legacy.empty() && a.legacy != result.scene->format) {
         const std::string error =
-            fmt::format("--legacy {} asked for a {} scene", a.legacy, result.scene->format);
+            fmt::format("--legacy {}: expected a scene of {}, found one of {}", a.legacy, a.legacy,
+                        result.scene->format);
         return {std::nullopt, {}, fail(exit_usage, error), {}};
     }
     std::vector<std::string> files = scene_files(read, *result.scene);

@@ -221,7 +221,7 @@ Option Options::add(const std::string& names, T& value, const std::string& help)
     } else {
         option->type_name("NAME");
         option->check([](const std::string& text) {
-            return text.empty() ? "expected a value, not an empty text" : std::string();
+            return text.empty() ? "'': expected a value" : std::string();
         });
     }
     return {*option, choices_, when_parsed_, list_of(value)};

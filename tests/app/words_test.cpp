@@ -51,6 +51,17 @@ TEST_CASE("an exposure that no output has is refused", "[app]") {
     CHECK(folder().etalon("render ball.p3f --exposure 1 -q -o a.exr -o a.png").status == 0);
 }
 
+TEST_CASE("the shading of another format's program is refused with both formats", "[app]") {
+    CHECK(error_of("render ball.p3f --legacy sce", 2) ==
+          "etalon: error: --legacy sce: expected a scene of sce, found one of p3f\n");
+}
+
+TEST_CASE("an empty value is shown as one", "[app]") {
+    CHECK_THAT(error_of("render ball.p3f -o ''", 2),
+               ContainsSubstring("error: --output '': expected a value\n"));
+    CHECK_THAT(error_of("render ''", 2), ContainsSubstring("error: SCENE '': expected a value\n"));
+}
+
 TEST_CASE("an input that cannot be read is named with the system's reason", "[app]") {
     CHECK(error_of("trace ball.p3f --rays none.txt", 3) ==
           "none.txt: error: cannot be opened: No such file or directory\n");
