@@ -61,7 +61,7 @@ Ray through_corners(Random& random) {
 
 using MakeLatticeRay = Ray (*)(Random&);
 
-CaseSetup walked(Knots knots, MakeLatticeRay ray) {
+CaseSetup traversed(Knots knots, MakeLatticeRay ray) {
     return {lattice(knots), 1, ray};
 }
 
@@ -110,12 +110,13 @@ std::vector<HardCase> grid_cases() {
     Rows rows("scene");
     for (const Knots knots : {Knots::spheres, Knots::boxes}) {
         const std::string name = knots == Knots::spheres ? "spheres: " : "boxes: ";
-        rows.add_both("GRD-1", name + "along axes", [=] { return walked(knots, along_axis); });
+        rows.add_both("GRD-1", name + "along axes", [=] { return traversed(knots, along_axis); });
         rows.add_both("GRD-1", name + "along diagonals",
-                      [=] { return walked(knots, along_diagonal); });
+                      [=] { return traversed(knots, along_diagonal); });
         rows.add_both("GRD-1", name + "through corners",
-                      [=] { return walked(knots, through_corners); });
-        rows.add_both("GRD-3", name + "from outside", [=] { return walked(knots, from_outside); });
+                      [=] { return traversed(knots, through_corners); });
+        rows.add_both("GRD-3", name + "from outside",
+                      [=] { return traversed(knots, from_outside); });
     }
     rows.add_both("GRD-2", "primitives on cell planes", on_planes);
     return rows.take();

@@ -23,7 +23,7 @@ Imf::PixelType pixel_type(const Channel& channel) {
 /// Output stream in memory. OpenEXR seeks back to fill in its table of blocks.
 class MemoryStream : public Imf::OStream {
   public:
-    explicit MemoryStream(std::string& bytes) : OStream("picture"), bytes_(bytes) {}
+    explicit MemoryStream(std::string& bytes) : OStream("image"), bytes_(bytes) {}
 
     void write(const char data[], int size) override {
         bytes_.replace(position_, static_cast<std::size_t>(size), data,

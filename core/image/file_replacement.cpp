@@ -78,7 +78,7 @@ int FileReplacement::check_target() {
     return 0;
 }
 
-/// Opens a new file, or one that this user has left; whoever else can write to the folder may have
+/// Opens a new file, or one that this user has left; others who can write to the folder may have
 /// put another, or a link, where it is known to be. (On network disks a new file may be another
 /// user's.)
 void FileReplacement::open() {
