@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/common/backends.h"
@@ -133,15 +134,22 @@ std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardC
     return all;
 }
 
+/// Makes the folder of the plots. Returns why the files cannot all be written, and the exit status;
+/// an empty text if they can.
+std::pair<std::string, int> check_files(const AccuracyArguments& a) {
+    auto files = check_outputs({a.json, a.markdown}, {});
+    if (!files.first.empty() || a.plots.empty()) return files;
+    std::error_code failure;
+    std::filesystem::create_directories(a.plots, failure);
+    if (failure) return {a.plots + ": " + failure.message(), exit_not_written};
+    return check_outputs({a.plots + "/shape.svg"}, {});
+}
+
 int measure_accuracy(const AccuracyArguments& a) {
     const auto [cases, unknown] = hard::cases_named(a.cases);
     if (!unknown.empty()) return fail(exit_usage, "--case " + unknown);
     if (a.list) return list_cases(cases);
-    const std::string plots = a.plots.empty() ? "" : a.plots + "/shape.svg";
-    if (const auto [error, status] = check_outputs({a.json, a.markdown, plots}, {});
-        !error.empty()) {
-        return fail(status, error);
-    }
+    if (const auto [error, status] = check_files(a); !error.empty()) return fail(status, error);
     const SignalGuard signals;
     const std::vector<Row> rows = measure_all(a, cases, signals.raised());
     const bool stopped = signals.raised();
@@ -189,7 +197,9 @@ Action declare_accuracy(Options& options) {
     options.add("--markdown", a->markdown, "Write the table of docs/accuracy/table.md to this file")
         .value("FILE");
     options
-        .add("--plots", a->plots, "Write plots of error against cost, SHAPE.svg, to this directory")
+        .add(
+            "--plots", a->plots,
+            "Write plots of error against cost, SHAPE.svg, to this directory; created if necessary")
         .value("DIR");
     return [a] { return measure_accuracy(*a); };
 }

@@ -1,6 +1,7 @@
 // etalon-scenes FAMILY [--size N] [-o FILE]: a scene of a family, at any size.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "app/common/help.h"
 #include "app/common/program.h"
 #include "app/common/signals.h"
+#include "core/formats/load.h"
 #include "core/formats/nearest_name.h"
 #include "scenes/generate/generator_families.h"
 #include "scenes/generate/scene_output.h"
@@ -77,7 +79,10 @@ int write_scene(const Family& family, std::int64_t size, const std::string& path
 /// Returns whether a file's name says another format than the family's.
 bool has_other_format(const Family& family, const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
-    return (extension == ".p3f" || extension == ".pbrt") && extension != family.extension;
+    return extension != family.extension &&
+           std::ranges::any_of(format_names(), [&](std::string_view name) {
+               return extension == fmt::format(".{}", name);
+           });
 }
 
 int run(const Arguments& a) {

@@ -19,10 +19,9 @@ using nlohmann::json;
 namespace {
 
 /// Measures a case with plots and JSON in the folder.
-void measure(const Folder& f, const std::string& arguments) {
-    const auto r =
-        f.shell("exec '" ETALON_BINARY_DIR "/bin/etalon-bench' accuracy --plots . --json a.json " +
-                arguments);
+void measure(const Folder& f, const std::string& arguments, const std::string& plots = ".") {
+    const auto r = f.shell("exec '" ETALON_BINARY_DIR "/bin/etalon-bench' accuracy --plots " +
+                           plots + " --json a.json " + arguments);
     REQUIRE(r.status == 0);
 }
 
@@ -38,6 +37,17 @@ TEST_CASE("A plot of cases that had no time for all their rays says so, as does 
     measure(f, "--case SPH-3 --backends bvh --rays 20");
     CHECK_THAT(f.read("sphere.svg"), !ContainsSubstring("Partial"));
     CHECK(json::parse(f.read("a.json"))["rows"][0]["partial"] == false);
+}
+
+TEST_CASE("accuracy: given a folder for plots that is not there, then it is made if it can be") {
+    const Folder f;
+    const std::string arguments = "--case SPH-3 --backends bvh --rays 20 ";
+    measure(f, arguments, "new/plots");
+    CHECK(f.has("new/plots/sphere.svg"));
+    const auto r = f.shell("exec '" ETALON_BINARY_DIR "/bin/etalon-bench' accuracy " + arguments +
+                           "--plots a.json/plots");
+    CHECK(r.status == 4);
+    CHECK(r.err == "etalon-bench: error: a.json/plots: Not a directory\n");
 }
 
 TEST_CASE("A plot has no remark where backends that are never wrong find t to the last bits") {

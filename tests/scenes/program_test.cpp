@@ -66,7 +66,7 @@ TEST_CASE("etalon-scenes exits with 2 on wrong usage and prints what is valid", 
     CHECK_THAT(size.err, ContainsSubstring("0 to 14"));
     for (const char* wrong :
          {"", "tetra --size -1", "tetra --size many", "rings --size 0", "tetra --frobnicate",
-          "tetra rings", "tetra -o t.pbrt", "forest --size 1 -o f.p3f"}) {
+          "tetra rings", "tetra -o t.pbrt", "tetra -o t.nff", "forest --size 1 -o f.p3f"}) {
         INFO(wrong);
         CHECK(generate(folder, wrong).status == 2);
     }
