@@ -60,6 +60,8 @@ SignalGuard::SignalGuard() {
     struct sigaction action = {};
     action.sa_handler = handle;
     action.sa_flags = SA_RESTART;
+    // Of several that wait, the last would otherwise interrupt the first before it is noted.
+    for (const int number : caught) sigaddset(&action.sa_mask, number);
     for (const int number : caught) {
         if (!outlives(number)) sigaction(number, &action, nullptr);
     }

@@ -172,6 +172,16 @@ TEST_CASE("Signals that come in a pair are one request", "[app]") {
     }
 }
 
+TEST_CASE("Signals that wait for the program together count as the first of them", "[app]") {
+    const Folder f;
+    const auto r = interrupted(f,
+                               "etalon-bench speed --scene spheres:20 --backends bvh --rays "
+                               "camera --repeat 1000 --oracle 0.02 --json s.json",
+                               "grep -q '^build *bvh' out",
+                               "STOP $pid; kill -INT $pid; kill -TERM $pid; kill -CONT");
+    CHECK(r.status == 130);
+}
+
 TEST_CASE("A later signal, of any kind, ends the program at once", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
