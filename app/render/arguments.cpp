@@ -2,6 +2,8 @@
 
 #include <fmt/ranges.h>
 
+#include <filesystem>
+
 #include "app/common/backends.h"
 #include "app/common/integrators.h"
 #include "app/live/tcp_sender.h"
@@ -184,13 +186,21 @@ void declare_mpi(Options& options, RenderArguments& a) {
         .group("MPI");
 }
 
+/// Returns why a text is no address of a viewer, and what to do if it is the scene.
+std::string check_viewer(const std::string& text) {
+    const std::string error = check_address(text);
+    std::error_code ignored;
+    const bool is_file = !error.empty() && std::filesystem::exists(text, ignored);
+    return is_file ? error + "; the scene comes before --tev" : error;
+}
+
 void declare_live_view(Options& options, RenderArguments& a) {
     options
         .add("--tev", a.tev,
              "Send the image as it converges to the viewer tev, which listens at this address")
         .value("HOST:PORT")
         .value_or("127.0.0.1:14158")
-        .check(check_address)
+        .check(check_viewer)
         .group("Live view");
 }
 

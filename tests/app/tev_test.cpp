@@ -114,6 +114,8 @@ TEST_CASE("the address of tev may be left out, but not be wrong", "[app]") {
         INFO(command);
         CHECK(f.etalon(command).status == 0);
     }
+    CHECK_THAT(f.etalon("render --tev ball.p3f -o a.exr").err,
+               ContainsSubstring("ball.p3f: expected HOST:PORT; the scene comes before --tev"));
     for (const std::string address :
          {"nowhere", "localhost:", "localhost:0", "localhost:65536", ":14158", "localhost:14x"}) {
         const auto r = f.etalon("render ball.p3f --tev " + address + " -o a.exr");
