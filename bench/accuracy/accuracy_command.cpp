@@ -175,7 +175,7 @@ Action declare_accuracy(Options& options) {
              "(default: all of --list)")
         .value("CASE")
         .words_by_commas();
-    options.add("--backends", a->backends, "Comma-separated list of backends")
+    options.add("-b,--backends", a->backends, "Comma-separated list of backends")
         .by_commas()
         .one_of(backend_names())
         .show_default();

@@ -197,7 +197,7 @@ void declare_curves(Options& options, ConvergenceArguments& a) {
         .one_of(integrator_choices())
         .show_default();
     options
-        .add("--backends", a.config.backends,
+        .add("-b,--backends", a.config.backends,
              "Comma-separated list of backends; those after the first only with "
              "the last sampler")
         .by_commas()

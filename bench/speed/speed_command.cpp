@@ -185,7 +185,7 @@ void declare_what(Options& options, SpeedArguments& a) {
         .words_by_commas()
         .show_default();
     options
-        .add("--backends", a.backends,
+        .add("-b,--backends", a.backends,
              "Comma-separated list of backends; the baselines of all comparisons always take part")
         .by_commas()
         .one_of(tracer_names())
