@@ -10,10 +10,11 @@ namespace {
 /// Margin of a primitive's box, for kernels that round: a fraction of its largest coordinate.
 constexpr double box_margin = 0x1p-30;
 
-/// Margin of the t at which a ray enters or leaves a slab, far more than the roundings of two
-/// operations here and of the t that a kernel returns; and for what is denormal.
+/// Margin of the t at which a ray enters or leaves a slab: for the t of a kernel, which is good to
+/// t_tolerance, twice that, which leaves far more than the roundings of two operations here; and
+/// for what is denormal.
 double margin_of(double t) {
-    return std::abs(t) * 0x1p-40 + 0x1p-1000;
+    return std::abs(t) * 2 * t_tolerance + 0x1p-1000;
 }
 
 Box3 padded(const Box3& box) {
