@@ -34,8 +34,9 @@ TEST_CASE("accuracy: given other backends, then the spawned rays are the same") 
         const std::string command =
             "--case SPN-4 --rays 500 --only-backends --json a.json --backends ";
         REQUIRE(accuracy(f, command + backends).status == 0);
+        const json rows = json::parse(f.read("a.json"))["rows"];
         std::string rays;
-        for (const json& row : json::parse(f.read("a.json"))["rows"]) {
+        for (const json& row : rows) {
             if (row["tracer"] == "embree-builtin") rays += row["rays"].dump() + " ";
         }
         return rays;

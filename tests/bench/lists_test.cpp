@@ -44,10 +44,9 @@ TEST_CASE("Backends: given -b, as render has it, then every command measures the
         measured(f, "speed --scene spheres:9 --only-build -b grid --repeat 1")["scenes"];
     CHECK(speed[0]["build"].contains("grid"));
     CHECK_FALSE(speed[0]["build"].contains("bvh"));
-    for (const auto& row :
-         measured(f, "accuracy --case SPH-4 --rays 10 --only-backends -b grid")["rows"]) {
-        CHECK(row["tracer"] == "grid");
-    }
+    const json rows =
+        measured(f, "accuracy --case SPH-4 --rays 10 --only-backends -b grid")["rows"];
+    for (const json& row : rows) CHECK(row["tracer"] == "grid");
     const std::string small = " spheres:9 --width 9 -b grid";
     CHECK(measured(f, "frames --repeat 1" + small)["frames"][0]["backend"] == "grid");
     CHECK(measured(f, "convergence --spp 4 --seeds 1 --samplers sobol" +
