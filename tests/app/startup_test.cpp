@@ -99,8 +99,10 @@ TEST_CASE("a damaged face does not lose the image", "[app]") {
 TEST_CASE("Without /proc no library is loaded from the current folder", "[app][needs_unshare]") {
     const Folder f;
     const std::string without_proc = "unshare -rm sh -c 'mount -t tmpfs none /proc && ";
-    SKIP_UNLESS(f.shell(without_proc + ETALON_BINARY_DIR "/bin/etalon --version'").status == 0,
-                "unshare is not allowed, or a sanitizer needs /proc");
+    SKIP_UNLESS(f.shell(without_proc + "true'").status == 0, "unshare is not allowed");
+#if defined(__SANITIZE_THREAD__)
+    SKIP_UNLESS(false, "the thread sanitizer needs /proc");
+#endif
     f.shell("mkdir lib && cp '" ETALON_BINARY_DIR "/lib/fault_injection.so' lib/etalon_oiio.so");
     f.write("t.pgm", "P5 1 1 255\nx");
     f.write("s.pbrt",

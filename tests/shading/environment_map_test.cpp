@@ -123,7 +123,8 @@ TEST_CASE("each texel of each face is seen where it is drawn") {
 TEST_CASE("a face is interpolated between the centres of its texels, and even beyond the last") {
     const TemporaryFolder folder;
     std::vector<std::string> problems;
-    const EnvironmentMap map(skybox_of_texels(folder), Encoding::linear, problems);
+    const Environment environment = skybox_of_texels(folder);
+    const EnvironmentMap map(environment, Encoding::linear, problems);
     REQUIRE(problems.empty());
     for (std::size_t k = 0; k < towards.size(); ++k) {
         for (const double column : {-0.4, 0.25, 1.5, 2.9, 3.4}) {

@@ -23,6 +23,7 @@ Table counts(const std::vector<SpdFigures>& all) {
                  {"secondary hits"}},
                 {}};
     for (const SpdFigures& s : all) {
+        if (s.runs.empty()) continue;  // interrupted before its first backend
         const RayCounts& c = s.runs.front().counts;
         const double empty = static_cast<double>(c.camera - c.camera_hits);
         table.rows.push_back(
