@@ -3,9 +3,11 @@ include(CMakeFindDependencyMacro)
 
 # Debian's Imath reports as a status, when it is found first, that its module for Python is missing, which
 # nothing here uses.
-set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
-find_package(Imath 3 CONFIG QUIET)
-unset(CMAKE_MESSAGE_LOG_LEVEL)
+function(etalon_find_imath_quietly)
+  set(CMAKE_MESSAGE_LOG_LEVEL NOTICE) # here only
+  find_package(Imath 3 CONFIG QUIET)
+endfunction()
+etalon_find_imath_quietly()
 
 list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 include(${CMAKE_CURRENT_LIST_DIR}/EtalonDependencies.cmake)

@@ -15,7 +15,7 @@ inline constexpr double shadow_end = 1 - 0x1p-32;
 /// The point of a light to which each surface has a ray: one for all of them, or for each.
 struct LightPoints {
     bool is_one = false;
-    Vec3 one;
+    Vec3 one{0};
     Vec3Buffer each;
 };
 
