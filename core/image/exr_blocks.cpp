@@ -77,8 +77,8 @@ class BlockWriter {
     }
 
     /// Returns false if some rows in the middle of the block compress by less than 4 %, as noise
-    /// does. All rows then compress by less than about a tenth, for which a small rendering would
-    /// take a quarter longer.
+    /// does. What all rows would then gain is not worth the time of the compressor, for which a
+    /// small rendering would take a quarter longer.
     bool is_worth_zipping(std::size_t count) {
         constexpr std::size_t sample_bytes = 8192;  // the codes of less would count too much
         const std::size_t some = sample_bytes / rows(0, 1).size() + 1;
