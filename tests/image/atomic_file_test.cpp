@@ -1,5 +1,6 @@
 #include "core/image/atomic_file.h"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -181,7 +182,8 @@ TEST_CASE(
     "a file that the program itself is writing is replaced, not taken for a redirected stream") {
     const TemporaryFolder folder;
     const std::string path = folder / "f";
-    const int own = open_file(path.c_str(), O_WRONLY | O_CREAT);
+    const int flags = GENERATE(0, O_CLOEXEC);
+    const int own = ::open(path.c_str(), O_WRONLY | O_CREAT | flags, 0666);
     REQUIRE(own >= 0);
     REQUIRE(own <= 9);  // as those that a shell redirects
     CHECK(write_all(own, "earlier") == 0);
