@@ -17,9 +17,16 @@ namespace {
 /// Returns black without tracing a ray: the time that remains is that of camera rays and film.
 class Black : public Integrator {
   public:
+    explicit Black(const Integrator& replaced) : uses_sources_(replaced.uses_sources()) {}
+
+    bool uses_sources() const override { return uses_sources_; }
+
     void radiance(const CameraSamples&, std::span<Color> colors, RayCounts&) const override {
         std::ranges::fill(colors, Color(0.0F));
     }
+
+  private:
+    bool uses_sources_;
 };
 
 /// Returns the seconds of adding the samples of an image to its film.
@@ -66,7 +73,7 @@ std::string Frame::measure_again(const FrameConfig& config) {
     r.intersection = recorded_->replay();
     r.film = film_seconds(settings_, first_->film);
     watch.lap();
-    rendered(Black());
+    rendered(Black(*integrator_));
     r.camera = watch.lap().cpu - r.film;
     const RenderedImage image = image_of(first_->film);
     watch.lap();

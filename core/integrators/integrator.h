@@ -17,7 +17,7 @@ class PhysicalShading;
 /// spans of one length.
 struct CameraSamples {
     RayStream rays;
-    std::span<const SampleSource> sources;
+    std::span<const SampleSource> sources;  ///< empty if Integrator::uses_sources() is false
     /// Weights of the colours in the image, which integrators need not apply; empty if all are
     /// equal.
     std::span<const float> weights{};
@@ -40,6 +40,9 @@ class Integrator {
     /// samples.
     virtual void radiance(const CameraSamples& samples, std::span<Color> colors,
                           RayCounts& counts) const = 0;
+
+    /// Returns whether the members above and below use CameraSamples::sources.
+    virtual bool uses_sources() const { return true; }
 
     /// Returns whether camera rays may hit lights.
     virtual bool shows_lights() const { return false; }

@@ -42,10 +42,11 @@ void CameraBatch::make_rays() {
     }
 }
 
-CameraSamples CameraBatch::make() {
+CameraSamples CameraBatch::make(bool uses_sources) {
     const std::size_t count = size();
     ranges_.name();
-    ranges_.list(pixels_, sources_);
+    ranges_.list_pixels(pixels_);
+    if (uses_sources) ranges_.list_sources(sources_);
     times_.clear();
     if (sampler_.has_samples_) {
         make_samples();
@@ -59,7 +60,7 @@ CameraSamples CameraBatch::make() {
     RayStream rays = rays_.view(count);
     rays.traits = Ray::coherent_trait;
     if (!times_.empty()) rays.times = times_.data();
-    return {rays, sources_, weights_};
+    return {rays, std::span(sources_).first(uses_sources ? count : 0), weights_};
 }
 
 }  // namespace etalon

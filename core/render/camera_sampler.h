@@ -50,8 +50,9 @@ class CameraBatch {
     const std::vector<Imath::V2i>& pixels() const { return pixels_; }
     const std::vector<Vec2>& places() const { return places_; }
 
-    /// Generates the rays. The result is valid until the next call of a member.
-    CameraSamples make();
+    /// Generates the rays, with the sources of random numbers if they are used. The result is valid
+    /// until the next call of a member.
+    CameraSamples make(bool uses_sources);
 
     void clear() { ranges_.clear(); }
 

@@ -96,7 +96,7 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
     const bool complete = visit_pixels(window, stop, [&](int x, int y, std::size_t) {
         CameraBatch of_pixel(rays);
         of_pixel.add(x, y, 0, samples);
-        const CameraSamples of_image = of_pixel.make();
+        const CameraSamples of_image = of_pixel.make(false);
         for (std::size_t i = 0; i < of_image.rays.size(); ++i) {
             add(x, y, of_image.rays[i], of_image.weights.empty() || of_image.weights[i] > 0);
         }

@@ -15,16 +15,18 @@ std::uint32_t SampleBatch::room() const {
     return static_cast<std::uint32_t>(Integrator::batch_size - samples_.size());
 }
 
-void SampleBatch::add(int x, int y, std::uint32_t first, std::uint32_t last) {
+bool SampleBatch::add(int x, int y, std::uint32_t first, std::uint32_t last) {
     samples_.add(x, y, first, last);
-    if (samples_.size() == Integrator::batch_size) finish();
+    const bool is_full = samples_.size() == Integrator::batch_size;
+    if (is_full) finish();
+    return is_full;
 }
 
 void SampleBatch::finish() {
     const std::size_t count = samples_.size();
     if (count == 0) return;
     const std::span colors = std::span(colors_).first(count);
-    const CameraSamples samples = samples_.make();
+    const CameraSamples samples = samples_.make(integrator_.uses_sources());
     if (samples.weights.empty()) {
         integrator_.radiance(samples, colors, *counts_);
     } else {
@@ -40,13 +42,14 @@ void SampleBatch::render_weighted(const CameraSamples& samples, std::span<Color>
     weighted_sources_.clear();
     weighted_times_.clear();
     weighted_rays_.make_room(colors.size());
+    std::size_t count = 0;
     for (std::size_t i = 0; i < colors.size(); ++i) {
         if (samples.weights[i] == 0) continue;
-        weighted_rays_.set(weighted_sources_.size(), samples.rays[i]);
-        weighted_sources_.push_back(samples.sources[i]);
+        weighted_rays_.set(count++, samples.rays[i]);
+        if (!samples.sources.empty()) weighted_sources_.push_back(samples.sources[i]);
         if (samples.rays.times != nullptr) weighted_times_.push_back(samples.rays.times[i]);
     }
-    RayStream rays = weighted_rays_.view(weighted_sources_.size());
+    RayStream rays = weighted_rays_.view(count);
     rays.traits = samples.rays.traits;
     if (samples.rays.times != nullptr) rays.times = weighted_times_.data();
     weighted_colors_.resize(rays.size());

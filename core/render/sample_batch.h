@@ -22,8 +22,9 @@ class SampleBatch {
     /// Returns how many samples can be added at least; never 0.
     std::uint32_t room() const;
 
-    /// Adds the samples [first, last) of the pixel (x, y), at most room() of them.
-    void add(int x, int y, std::uint32_t first, std::uint32_t last);
+    /// Adds the samples [first, last) of the pixel (x, y), at most room() of them. Returns true if
+    /// this filled the batch, which then was rendered.
+    bool add(int x, int y, std::uint32_t first, std::uint32_t last);
 
     /// Renders the pending samples and adds them to the film.
     void finish();

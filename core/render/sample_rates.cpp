@@ -34,7 +34,7 @@ std::vector<float> emission(const Camera& camera, const Integrator& integrator,
         for (std::size_t row = begin; row < end; ++row) {
             const int y = window.min.y + static_cast<int>(row);
             for (int x = window.min.x; x <= window.max.x; ++x) batch.add(x, y, 0, 1);
-            integrator.emission(batch.make(), colors);
+            integrator.emission(batch.make(integrator.uses_sources()), colors);
             std::ranges::transform(colors, &result[row * size.x],
                                    [](const Color& color) { return luminance(color); });
             batch.clear();
@@ -57,7 +57,7 @@ double scattered_light(const Camera& camera, const Integrator& integrator,
     }
     std::vector<Color> all(batch.size()), emitted(batch.size());
     RayCounts not_of_the_image;
-    const CameraSamples samples = batch.make();
+    const CameraSamples samples = batch.make(integrator.uses_sources());
     integrator.radiance(samples, all, not_of_the_image);
     integrator.emission(samples, emitted);
     double sum = 0;

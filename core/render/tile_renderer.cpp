@@ -42,10 +42,11 @@ TileResult TileRenderer::render(std::size_t tile, const std::function<bool()>& i
     SampleBatch& batch = *loan;
     batch.begin(result.counts);
     bool is_over = false;
-    const auto stopped = [&] { return is_over = is_over || interrupted(); };
-    for_each_pixel(tiles_[tile], stopped, [&](int x, int y) {
-        if (!is_over) add_pixel(x, y, stopped, batch);
-    });
+    for_each_pixel(
+        tiles_[tile], [&] { return is_over; },
+        [&](int x, int y) {
+            if (!is_over) is_over = !add_pixel(x, y, interrupted, batch);
+        });
     batch.finish();
     result.samples = batch.done();
     result.dropped = batch.dropped();
@@ -59,19 +60,19 @@ std::uint32_t TileRenderer::first_sample(std::size_t pixel) const {
     return first_sample_ * (rates.empty() ? 1U : rates[pixel]);
 }
 
-/// Adds the samples that the pixel lacks to the batch, until stopped() if they are many.
-template <class Stopped>
-void TileRenderer::add_pixel(int x, int y, const Stopped& stopped, SampleBatch& batch) const {
-    constexpr std::uint32_t many = 16;
+/// Adds the samples that the pixel lacks to the batch. Returns false if interrupted(), which is
+/// asked whenever the batch was rendered.
+bool TileRenderer::add_pixel(int x, int y, const std::function<bool()>& interrupted,
+                             SampleBatch& batch) const {
     const std::size_t pixel = film_.samples().index(x, y);
     const std::uint32_t first = first_sample(pixel);
     std::uint32_t next = first + film_.samples().counts()[pixel];
     for (const std::uint32_t last = first + goal.of(pixel); next < last;) {
-        if (last - next >= many && stopped()) return;
         const std::uint32_t end = std::min(last, next + batch.room());
-        batch.add(x, y, next, end);
+        if (batch.add(x, y, next, end) && interrupted()) return false;
         next = end;
     }
+    return true;
 }
 
 }  // namespace etalon

@@ -52,7 +52,7 @@ class TileRenderer {
     std::vector<std::size_t> unfinished_tiles() const;
 
     /// Adds samples to the pixels of a tile until they reach the goal, or until interrupted(),
-    /// which is asked at the end of a row and within a pixel that lacks many samples.
+    /// which is asked after each batch of samples.
     TileResult render(std::size_t tile, const std::function<bool()>& interrupted);
 
     /// Transfers what another process needs to render a tile: the goals of its pixels, and the
@@ -78,8 +78,8 @@ class TileRenderer {
 
   private:
     std::uint32_t first_sample(std::size_t pixel) const;
-    template <class Stopped>
-    void add_pixel(int x, int y, const Stopped& stopped, SampleBatch& batch) const;
+    bool add_pixel(int x, int y, const std::function<bool()>& interrupted,
+                   SampleBatch& batch) const;
 
     const std::uint32_t first_sample_;  ///< number of the first sample at a rate of 1
     const Integrator& integrator_;

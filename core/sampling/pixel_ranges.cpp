@@ -1,5 +1,7 @@
 #include "core/sampling/pixel_ranges.h"
 
+#include <algorithm>
+
 #define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
 
@@ -100,16 +102,22 @@ void PixelRanges::name() {
     HWY_DYNAMIC_DISPATCH(name_all)(seed_, xs_.data(), ys_.data(), count_, names_.data());
 }
 
-void PixelRanges::list(std::vector<Imath::V2i>& pixels, std::vector<SampleSource>& sources) const {
+void PixelRanges::list_pixels(std::vector<Imath::V2i>& pixels) const {
     pixels.resize(samples_);
-    sources.resize(samples_, SampleSource(PixelSamples(0, sampler_), 0));
-    std::size_t at = 0;
+    auto next = pixels.begin();
     for (std::size_t range = 0; range < count_; ++range) {
         const Imath::V2i pixel(static_cast<int>(xs_[range]), static_cast<int>(ys_[range]));
+        next = std::fill_n(next, lasts_[range] - firsts_[range], pixel);
+    }
+}
+
+void PixelRanges::list_sources(std::vector<SampleSource>& sources) const {
+    sources.resize(samples_, SampleSource(PixelSamples(0, sampler_), 0));
+    auto next = sources.begin();
+    for (std::size_t range = 0; range < count_; ++range) {
         const PixelSamples samples(names_[range], sampler_);
-        for (std::uint32_t i = firsts_[range]; i < lasts_[range]; ++i, ++at) {
-            pixels[at] = pixel;
-            sources[at] = SampleSource(samples, i);
+        for (std::uint32_t i = firsts_[range]; i < lasts_[range]; ++i) {
+            *next++ = SampleSource(samples, i);
         }
     }
 }

@@ -23,8 +23,9 @@ class PixelRanges {
     /// Names the pixels, which the members below need.
     void name();
 
-    /// Lists the pixel and the source of each sample, in the order in which they were added.
-    void list(std::vector<Imath::V2i>& pixels, std::vector<SampleSource>& sources) const;
+    /// Set the pixel, or the source, of each sample, in the order in which they were added.
+    void list_pixels(std::vector<Imath::V2i>& pixels) const;
+    void list_sources(std::vector<SampleSource>& sources) const;
 
     /// Sets the points of a dimension of all samples in that order.
     void make_points(std::uint32_t dimension, std::vector<Vec2>& points);

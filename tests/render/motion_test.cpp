@@ -40,7 +40,7 @@ std::vector<Ray> rays_of_pixel(const TestScene& scene, std::uint32_t count) {
     const CameraSampler sampler(scene.camera, scene.settings);
     CameraBatch batch(sampler);
     batch.add(3, 4, 0, count);
-    const RayStream stream = batch.make().rays;
+    const RayStream stream = batch.make(false).rays;
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < stream.size(); ++i) rays.push_back(stream[i]);
     return rays;

@@ -99,7 +99,7 @@ TEST_CASE("An image stopped many times and resumed has the bits of one never sto
     const TestScene scene = mixed_scene(70, 50);
     for (const RenderSettings& settings : variants(scene)) {
         const Rendering whole = rendered(scene, settings);
-        for (const int every : {97, 401}) {
+        for (const int every : {17, 61}) {
             CAPTURE(every, settings.target_error, settings.filter.radius.x);
             const Rendering resumed = rendered_in_parts(scene, settings, every);
             check_same(resumed, whole);
@@ -143,7 +143,7 @@ TEST_CASE("A stop is heeded within a pixel", "[resumed]") {
 TEST_CASE("Keeping states changes nothing", "[resumed]") {
     const TestScene scene = mixed_scene(70, 50);
     for (const RenderSettings& settings : variants(scene)) {
-        MemoryKeeper keeper(50);
+        MemoryKeeper keeper(17);
         RunControl control;
         control.keeper = &keeper;
         check_same(rendered(scene, settings, control), rendered(scene, settings));
@@ -153,7 +153,7 @@ TEST_CASE("Keeping states changes nothing", "[resumed]") {
 
 TEST_CASE("A state that does not match the image is an error, and leaves no image", "[resumed]") {
     const TestScene scene = mixed_scene(70, 50);
-    MemoryKeeper keeper(200);
+    MemoryKeeper keeper(61);
     RunControl control;
     control.keeper = &keeper;
     rendered(scene, variants(scene)[0], control);
@@ -181,7 +181,7 @@ TEST_CASE("A state whose goals are another image's is an error", "[resumed]") {
     // Pieces of the state from its end on: what follows the goals are seven values.
     const auto is_read = [&](const std::function<void(std::vector<std::string>&)>& change) {
         struct Forger : MemoryKeeper {
-            Forger() : MemoryKeeper(300) {}
+            Forger() : MemoryKeeper(61) {}
             void keep(const std::function<void(StateWriter&)>& save) override {
                 pieces.clear();
                 StateWriter writer([&](std::string_view bytes) { pieces.emplace_back(bytes); });

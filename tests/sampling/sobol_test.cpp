@@ -162,7 +162,8 @@ TEST_CASE("Samples of ranges of pixels made together are those made one by one",
             std::vector<Vec2> points, alone;
             REQUIRE(ranges.samples() == expected.size());
             ranges.name();
-            ranges.list(pixels, sources);
+            ranges.list_pixels(pixels);
+            ranges.list_sources(sources);
             ranges.make_points(lens_dimension, points);
             for (const SampleSource& source : sources)
                 alone.push_back(source.point(lens_dimension));

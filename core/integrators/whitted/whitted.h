@@ -23,6 +23,8 @@ class Whitted final : public Integrator {
     void radiance(const CameraSamples& samples, std::span<Color> colors,
                   RayCounts& counts) const override;
 
+    bool uses_sources() const override { return any_random_; }
+
     std::vector<std::string> late_problems() const override { return environment_.late_problems(); }
 
   private:
