@@ -15,17 +15,19 @@ class Batch {
     void add(const Imath::V2i& pixel, std::uint32_t number, std::uint32_t count) {
         constexpr std::size_t most = 1024;
         const double share = (number + 0.5) / count;
-        pixels_.push_back(pixel);
+        const auto i = static_cast<std::uint32_t>(places_.size());
+        if (runs_.empty() || runs_.back().pixel != pixel) runs_.push_back({pixel, i, i});
+        runs_.back().last = i + 1;
         places_.emplace_back(pixel.x + share, pixel.y + share);
-        if (pixels_.size() >= most) flush();
+        if (places_.size() >= most) flush();
     }
 
     void flush() {
-        std::vector<Color> colors(pixels_.size(), Color(0.5F));
+        std::vector<Color> colors(places_.size(), Color(0.5F));
         Stopwatch watch;
-        film_.add(pixels_, places_, colors);
+        film_.add(runs_, places_, colors);
         seconds_ += watch.lap().cpu;
-        pixels_.clear();
+        runs_.clear();
         places_.clear();
     }
 
@@ -33,7 +35,7 @@ class Batch {
 
   private:
     ImageFilm& film_;
-    std::vector<Imath::V2i> pixels_;
+    std::vector<PixelRun> runs_;
     std::vector<Vec2> places_;
     double seconds_ = 0;
 };

@@ -18,14 +18,21 @@ Imath::Box2i CameraSampler::sampled(Imath::Box2i window) const {
     return window;
 }
 
-/// Makes the random numbers of all samples.
+/// Makes the random numbers of all samples, and their positions in their pixels.
 void CameraBatch::make_samples() {
     ranges_.make_points(pixel_dimension, places_);
-    for (std::size_t i = 0; i < size(); ++i) places_[i] += Vec2(pixels_[i]);
     if (sampler_.camera_.has_lens()) ranges_.make_points(lens_dimension, on_lens_);
     if (!sampler_.samples_time_) return;
     ranges_.make_points(time_dimension, in_time_);
     for (const Vec2& point : in_time_) times_.push_back(shutter_time(point.x));
+}
+
+/// Moves all positions to their pixels.
+void CameraBatch::move_to_pixels() {
+    for (const PixelRun& run : runs()) {
+        const Vec2 pixel(run.pixel);
+        for (std::uint32_t i = run.first; i < run.last; ++i) places_[i] += pixel;
+    }
 }
 
 /// Generates the rays of all places; one by one if their times differ.
@@ -45,16 +52,15 @@ void CameraBatch::make_rays() {
 CameraSamples CameraBatch::make(bool uses_sources) {
     const std::size_t count = size();
     ranges_.name();
-    ranges_.list_pixels(pixels_);
-    if (uses_sources) ranges_.list_sources(sources_);
+    if (uses_sources) ranges_.list(sources_);
     times_.clear();
     if (sampler_.has_samples_) {
         make_samples();
     } else {
-        places_.resize(count);
-        for (std::size_t i = 0; i < count; ++i) places_[i] = Vec2(pixels_[i]) + sampler_.in_pixel_;
+        places_.assign(count, sampler_.in_pixel_);
         on_lens_.assign(sampler_.camera_.has_lens() ? count : 0, Vec2(0.5));
     }
+    move_to_pixels();
     rays_.make_room(count);
     make_rays();
     RayStream rays = rays_.view(count);

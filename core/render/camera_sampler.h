@@ -45,10 +45,10 @@ class CameraBatch {
 
     std::size_t size() const { return ranges_.samples(); }
 
-    /// Return the pixel of each sample, in the order in which they were added, and its position, in
-    /// pixels; valid as long as make()'s result.
-    const std::vector<Imath::V2i>& pixels() const { return pixels_; }
-    const std::vector<Vec2>& places() const { return places_; }
+    /// Return the pixels of the samples, and the position of each, in pixels; valid as long as
+    /// make()'s result.
+    std::span<const PixelRun> runs() const { return ranges_.runs(); }
+    std::span<const Vec2> places() const { return places_; }
 
     /// Generates the rays, with the sources of random numbers if they are used. The result is valid
     /// until the next call of a member.
@@ -58,11 +58,11 @@ class CameraBatch {
 
   private:
     void make_samples();
+    void move_to_pixels();
     void make_rays();
 
     const CameraSampler& sampler_;
     PixelRanges ranges_;
-    std::vector<Imath::V2i> pixels_;
     std::vector<SampleSource> sources_;
     std::vector<Vec2> places_, on_lens_, in_time_;
     RayBuffer rays_;

@@ -24,19 +24,17 @@ void Film::add(int x, int y, const Color& sample) {
     ++counts_[i];
 }
 
-void Film::add(std::span<const Imath::V2i> pixels, std::span<const Color> samples) {
-    if (!squares_.empty()) {
-        for (std::size_t i = 0; i < pixels.size(); ++i) add(pixels[i].x, pixels[i].y, samples[i]);
-        return;
-    }
-    for (std::size_t first = 0, last = 0; first < pixels.size(); first = last) {
-        const std::size_t pixel = index(pixels[first].x, pixels[first].y);
+void Film::add(std::span<const PixelRun> runs, std::span<const Color> samples) {
+    for (const PixelRun& run : runs) {
+        const std::size_t pixel = index(run.pixel.x, run.pixel.y);
         Vec3 sum = sums_[pixel];
-        for (last = first; last < pixels.size() && pixels[last] == pixels[first]; ++last) {
-            sum += Vec3(samples[last]);
-        }
+        for (std::uint32_t i = run.first; i < run.last; ++i) sum += Vec3(samples[i]);
         sums_[pixel] = sum;
-        counts_[pixel] += static_cast<std::uint32_t>(last - first);
+        counts_[pixel] += run.size();
+        if (squares_.empty()) continue;
+        for (std::uint32_t i = run.first; i < run.last; ++i) {
+            squares_[pixel] += Vec3(samples[i]) * Vec3(samples[i]);
+        }
     }
 }
 

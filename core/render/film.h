@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/numerics/vec.h"
+#include "core/numerics/pixel_run.h"
 #include "core/parallel/large_pages.h"
 
 namespace etalon {
@@ -18,8 +18,8 @@ class Film {
 
     void add(int x, int y, const Color& sample);
 
-    /// Adds samples, each to its pixel.
-    void add(std::span<const Imath::V2i> pixels, std::span<const Color> samples);
+    /// Adds the samples of several pixels.
+    void add(std::span<const PixelRun> runs, std::span<const Color> samples);
 
     /// Adds the samples of another film of the same window. The rounding errors of the sums are
     /// stored separately, so that the order in which films are added does not matter.

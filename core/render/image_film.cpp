@@ -63,15 +63,17 @@ std::size_t ImageFilm::prepare(std::span<Color> samples) const {
     return dropped;
 }
 
-std::size_t ImageFilm::add(std::span<const Imath::V2i> pixels, std::span<const Vec2> places,
+std::size_t ImageFilm::add(std::span<const PixelRun> runs, std::span<const Vec2> places,
                            std::span<Color> colors, std::span<const float> weights) {
     const std::size_t dropped = prepare(colors);
     for (std::size_t i = 0; i < weights.size(); ++i) colors[i] *= weights[i];
-    samples_.add(pixels, colors);
-    if (splats_) {
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-            const std::size_t pixel = samples_.index(pixels[i].x, pixels[i].y);
-            splats_->add(pixels[i], places[i], colors[i], rates_.empty() ? 1 : 1.0 / rates_[pixel]);
+    samples_.add(runs, colors);
+    if (!splats_) return dropped;
+    for (const PixelRun& run : runs) {
+        const std::size_t pixel = samples_.index(run.pixel.x, run.pixel.y);
+        const double weight = rates_.empty() ? 1 : 1.0 / rates_[pixel];
+        for (std::uint32_t i = run.first; i < run.last; ++i) {
+            splats_->add(run.pixel, places[i], colors[i], weight);
         }
     }
     return dropped;

@@ -32,7 +32,7 @@ void SampleBatch::finish() {
     } else {
         render_weighted(samples, colors);
     }
-    dropped_ += film_.add(samples_.pixels(), samples_.places(), colors, samples.weights);
+    dropped_ += film_.add(samples_.runs(), samples_.places(), colors, samples.weights);
     done_ += count;
     samples_.clear();
 }

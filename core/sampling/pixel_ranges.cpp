@@ -88,74 +88,65 @@ void make_room(std::size_t count, std::initializer_list<std::vector<std::uint32_
 }  // namespace
 
 void PixelRanges::add(int x, int y, std::uint32_t first, std::uint32_t last) {
-    if (count_ == xs_.size()) make_room(count_ + 1, {&xs_, &ys_, &firsts_, &lasts_});
-    xs_[count_] = static_cast<std::uint32_t>(x);
-    ys_[count_] = static_cast<std::uint32_t>(y);
-    firsts_[count_] = first;
-    lasts_[count_] = last;
-    ++count_;
-    samples_ += last - first;
+    const std::size_t i = runs_.size();
+    const auto begin = static_cast<std::uint32_t>(samples());
+    runs_.push_back({{x, y}, begin, begin + (last - first)});
+    if (i == xs_.size()) make_room(i + 1, {&xs_, &ys_, &firsts_});
+    xs_[i] = static_cast<std::uint32_t>(x);
+    ys_[i] = static_cast<std::uint32_t>(y);
+    firsts_[i] = first;
 }
 
 void PixelRanges::name() {
-    make_room(count_, {&names_});
-    HWY_DYNAMIC_DISPATCH(name_all)(seed_, xs_.data(), ys_.data(), count_, names_.data());
+    make_room(runs_.size(), {&names_});
+    HWY_DYNAMIC_DISPATCH(name_all)(seed_, xs_.data(), ys_.data(), runs_.size(), names_.data());
 }
 
-void PixelRanges::list_pixels(std::vector<Imath::V2i>& pixels) const {
-    pixels.resize(samples_);
-    auto next = pixels.begin();
-    for (std::size_t range = 0; range < count_; ++range) {
-        const Imath::V2i pixel(static_cast<int>(xs_[range]), static_cast<int>(ys_[range]));
-        next = std::fill_n(next, lasts_[range] - firsts_[range], pixel);
-    }
-}
-
-void PixelRanges::list_sources(std::vector<SampleSource>& sources) const {
-    sources.resize(samples_, SampleSource(PixelSamples(0, sampler_), 0));
-    auto next = sources.begin();
-    for (std::size_t range = 0; range < count_; ++range) {
-        const PixelSamples samples(names_[range], sampler_);
-        for (std::uint32_t i = firsts_[range]; i < lasts_[range]; ++i) {
-            *next++ = SampleSource(samples, i);
+void PixelRanges::list(std::vector<SampleSource>& sources) const {
+    sources.resize(samples(), SampleSource(PixelSamples(0, sampler_), 0));
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+        const PixelSamples pixel(names_[i], sampler_);
+        for (std::uint32_t k = 0; k < runs_[i].size(); ++k) {
+            sources[runs_[i].first + k] = SampleSource(pixel, firsts_[i] + k);
         }
     }
 }
 
 void PixelRanges::make_points(std::uint32_t dimension, std::vector<Vec2>& points) {
-    make_room(count_, {&seeds_});
-    HWY_DYNAMIC_DISPATCH(hash_all)(names_.data(), dimension, count_, seeds_.data());
+    make_room(runs_.size(), {&seeds_});
+    HWY_DYNAMIC_DISPATCH(hash_all)(names_.data(), dimension, runs_.size(), seeds_.data());
+    points.resize(padded(samples()));
     sampler_ == Sampler::sobol ? make_sobol_points(points) : make_random_points(points);
+    points.resize(samples());
 }
 
 void PixelRanges::make_sobol_points(std::vector<Vec2>& points) {
-    make_room(count_, {&orders_, &x_scrambles_, &y_scrambles_});
+    make_room(runs_.size(), {&orders_, &x_scrambles_, &y_scrambles_});
     std::uint32_t scramble = 0;
     for (Column* column : {&orders_, &x_scrambles_, &y_scrambles_}) {
-        HWY_DYNAMIC_DISPATCH(hash_all)(seeds_.data(), scramble++, count_, column->data());
+        HWY_DYNAMIC_DISPATCH(hash_all)
+        (seeds_.data(), scramble++, runs_.size(), column->data());
     }
-    make_room(samples_, {&sample_indices_, &sample_orders_, &sample_xs_, &sample_ys_});
-    std::size_t at = 0;
-    for (std::size_t range = 0; range < count_; ++range) {
-        for (std::uint32_t i = firsts_[range]; i < lasts_[range]; ++i, ++at) {
-            sample_indices_[at] = i;
-            sample_orders_[at] = orders_[range];
-            sample_xs_[at] = x_scrambles_[range];
-            sample_ys_[at] = y_scrambles_[range];
+    make_room(samples(), {&sample_indices_, &sample_orders_, &sample_xs_, &sample_ys_});
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+        const PixelRun& run = runs_[i];
+        std::uint32_t index = firsts_[i];
+        for (std::uint32_t k = run.first; k < run.last; ++k) {
+            sample_indices_[k] = index++;
+            sample_orders_[k] = orders_[i];
+            sample_xs_[k] = x_scrambles_[i];
+            sample_ys_[k] = y_scrambles_[i];
         }
     }
-    points.resize(padded(samples_));
     HWY_DYNAMIC_DISPATCH(make_points)
     (sample_indices_.data(), {sample_orders_.data(), sample_xs_.data(), sample_ys_.data()},
-     samples_, points.data());
-    points.resize(samples_);
+     samples(), points.data());
 }
 
 void PixelRanges::make_random_points(std::vector<Vec2>& points) const {
-    points.clear();
-    for (std::size_t range = 0; range < count_; ++range) {
-        for (std::uint32_t i = firsts_[range]; i < lasts_[range]; ++i) {
-            points.push_back(uniform_random(i, seeds_[range]));
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+        for (std::uint32_t k = 0; k < runs_[i].size(); ++k) {
+            points[runs_[i].first + k] = uniform_random(firsts_[i] + k, seeds_[i]);
         }
     }
 }

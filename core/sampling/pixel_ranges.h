@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "core/numerics/vec.h"
+#include "core/numerics/pixel_run.h"
 #include "core/sampling/sample_source.h"
 
 namespace etalon {
@@ -18,19 +19,21 @@ class PixelRanges {
     void add(int x, int y, std::uint32_t first, std::uint32_t last);
 
     /// Returns the number of samples in all ranges.
-    std::size_t samples() const { return samples_; }
+    std::size_t samples() const { return runs_.empty() ? 0 : runs_.back().last; }
+
+    /// Returns the ranges as runs of the samples of all, in the order in which they were added.
+    std::span<const PixelRun> runs() const { return runs_; }
 
     /// Names the pixels, which the members below need.
     void name();
 
-    /// Set the pixel, or the source, of each sample, in the order in which they were added.
-    void list_pixels(std::vector<Imath::V2i>& pixels) const;
-    void list_sources(std::vector<SampleSource>& sources) const;
+    /// Lists the source of each sample.
+    void list(std::vector<SampleSource>& sources) const;
 
-    /// Sets the points of a dimension of all samples in that order.
+    /// Sets the points of a dimension of all samples.
     void make_points(std::uint32_t dimension, std::vector<Vec2>& points);
 
-    void clear() { count_ = samples_ = 0; }
+    void clear() { runs_.clear(); }
 
   private:
     /// A value for each range, or for each sample; padded.
@@ -41,10 +44,10 @@ class PixelRanges {
 
     std::uint64_t seed_;
     Sampler sampler_;
-    std::size_t count_ = 0, samples_ = 0;
-    Column xs_, ys_, firsts_, lasts_;  ///< of the ranges
-    Column names_;                     ///< of their pixels
-    Column seeds_;                     ///< of the sets of a dimension
+    std::vector<PixelRun> runs_;
+    Column firsts_;           ///< numbers of their first samples
+    Column xs_, ys_, names_;  ///< of their pixels
+    Column seeds_;            ///< of the sets of a dimension
     Column orders_, x_scrambles_, y_scrambles_;
     Column sample_indices_, sample_orders_, sample_xs_, sample_ys_;
 };

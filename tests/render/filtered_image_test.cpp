@@ -118,7 +118,7 @@ TEST_CASE("Bright samples are darkened to the largest luminance, and all are sca
     settings.film_scale = 3;
     ImageFilm film({{0, 0}, {0, 0}}, settings);
     const Color dim(0.1F, 0.2F, 0.3F), bright(1, 2, 3);
-    const std::array pixel{Imath::V2i(0, 0)};
+    const std::array pixel{PixelRun{{0, 0}, 0, 1}};
     const std::array place{Vec2(0.5, 0.5)};
     const auto add = [&](Color color) { return film.add(pixel, place, {&color, 1}); };
     CHECK(add(dim) == 0);

@@ -157,13 +157,16 @@ TEST_CASE("Samples of ranges of pixels made together are those made one by one",
                     expected.push_back(points(k));
                 }
             }
-            std::vector<Imath::V2i> pixels;
             std::vector<SampleSource> sources;
             std::vector<Vec2> points, alone;
             REQUIRE(ranges.samples() == expected.size());
             ranges.name();
-            ranges.list_pixels(pixels);
-            ranges.list_sources(sources);
+            ranges.list(sources);
+            std::vector<Imath::V2i> pixels;
+            for (const PixelRun& run : ranges.runs()) {
+                REQUIRE(run.first == pixels.size());
+                pixels.insert(pixels.end(), run.size(), run.pixel);
+            }
             ranges.make_points(lens_dimension, points);
             for (const SampleSource& source : sources)
                 alone.push_back(source.point(lens_dimension));
