@@ -11,17 +11,6 @@ void SampleBatch::begin(RayCounts& counts) {
     done_ = dropped_ = 0;
 }
 
-std::uint32_t SampleBatch::room() const {
-    return static_cast<std::uint32_t>(Integrator::batch_size - samples_.size());
-}
-
-bool SampleBatch::add(int x, int y, std::uint32_t first, std::uint32_t last) {
-    samples_.add(x, y, first, last);
-    const bool is_full = samples_.size() == Integrator::batch_size;
-    if (is_full) finish();
-    return is_full;
-}
-
 void SampleBatch::finish() {
     const std::size_t count = samples_.size();
     if (count == 0) return;

@@ -20,11 +20,18 @@ class SampleBatch {
     void begin(RayCounts& counts);
 
     /// Returns how many samples can be added at least; never 0.
-    std::uint32_t room() const;
+    std::uint32_t room() const {
+        return static_cast<std::uint32_t>(Integrator::batch_size - samples_.size());
+    }
 
     /// Adds the samples [first, last) of the pixel (x, y), at most room() of them. Returns true if
     /// this filled the batch, which then was rendered.
-    bool add(int x, int y, std::uint32_t first, std::uint32_t last);
+    bool add(int x, int y, std::uint32_t first, std::uint32_t last) {
+        samples_.add(x, y, first, last);
+        const bool is_full = room() == 0;
+        if (is_full) finish();
+        return is_full;
+    }
 
     /// Renders the pending samples and adds them to the film.
     void finish();

@@ -35,6 +35,27 @@ std::vector<std::size_t> TileRenderer::unfinished_tiles() const {
     return unfinished;
 }
 
+/// Returns the number of the pixel's first sample in this part of the image.
+inline std::uint32_t TileRenderer::first_sample(std::size_t pixel) const {
+    const SampleRates& rates = film_.rates();
+    return first_sample_ * (rates.empty() ? 1U : rates[pixel]);
+}
+
+/// Adds the samples that the pixel lacks to the batch. Returns false if interrupted(), which is
+/// asked whenever the batch was rendered.
+inline bool TileRenderer::add_pixel(int x, int y, const std::function<bool()>& interrupted,
+                                    SampleBatch& batch) const {
+    const std::size_t pixel = film_.samples().index(x, y);
+    const std::uint32_t first = first_sample(pixel);
+    std::uint32_t next = first + film_.samples().counts()[pixel];
+    for (const std::uint32_t last = first + goal.of(pixel); next < last;) {
+        const std::uint32_t end = std::min(last, next + batch.room());
+        if (batch.add(x, y, next, end) && interrupted()) return false;
+        next = end;
+    }
+    return true;
+}
+
 TileResult TileRenderer::render(std::size_t tile, const std::function<bool()>& interrupted) {
     const double start = thread_cpu_seconds();
     TileResult result;
@@ -52,27 +73,6 @@ TileResult TileRenderer::render(std::size_t tile, const std::function<bool()>& i
     result.dropped = batch.dropped();
     result.seconds = thread_cpu_seconds() - start;
     return result;
-}
-
-/// Returns the number of the pixel's first sample in this part of the image.
-std::uint32_t TileRenderer::first_sample(std::size_t pixel) const {
-    const SampleRates& rates = film_.rates();
-    return first_sample_ * (rates.empty() ? 1U : rates[pixel]);
-}
-
-/// Adds the samples that the pixel lacks to the batch. Returns false if interrupted(), which is
-/// asked whenever the batch was rendered.
-bool TileRenderer::add_pixel(int x, int y, const std::function<bool()>& interrupted,
-                             SampleBatch& batch) const {
-    const std::size_t pixel = film_.samples().index(x, y);
-    const std::uint32_t first = first_sample(pixel);
-    std::uint32_t next = first + film_.samples().counts()[pixel];
-    for (const std::uint32_t last = first + goal.of(pixel); next < last;) {
-        const std::uint32_t end = std::min(last, next + batch.room());
-        if (batch.add(x, y, next, end) && interrupted()) return false;
-        next = end;
-    }
-    return true;
 }
 
 }  // namespace etalon

@@ -87,18 +87,12 @@ void make_room(std::size_t count, std::initializer_list<std::vector<std::uint32_
 
 }  // namespace
 
-void PixelRanges::add(int x, int y, std::uint32_t first, std::uint32_t last) {
-    const std::size_t i = runs_.size();
-    const auto begin = static_cast<std::uint32_t>(samples());
-    runs_.push_back({{x, y}, begin, begin + (last - first)});
-    if (i == xs_.size()) make_room(i + 1, {&xs_, &ys_, &firsts_});
-    xs_[i] = static_cast<std::uint32_t>(x);
-    ys_[i] = static_cast<std::uint32_t>(y);
-    firsts_[i] = first;
-}
-
 void PixelRanges::name() {
-    make_room(runs_.size(), {&names_});
+    make_room(runs_.size(), {&xs_, &ys_, &names_});
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+        xs_[i] = static_cast<std::uint32_t>(runs_[i].pixel.x);
+        ys_[i] = static_cast<std::uint32_t>(runs_[i].pixel.y);
+    }
     HWY_DYNAMIC_DISPATCH(name_all)(seed_, xs_.data(), ys_.data(), runs_.size(), names_.data());
 }
 

@@ -16,7 +16,11 @@ class PixelRanges {
     PixelRanges(std::uint64_t seed, Sampler sampler) : seed_(seed), sampler_(sampler) {}
 
     /// Adds the samples [first, last) of the pixel (x, y).
-    void add(int x, int y, std::uint32_t first, std::uint32_t last);
+    void add(int x, int y, std::uint32_t first, std::uint32_t last) {
+        const auto begin = static_cast<std::uint32_t>(samples());
+        runs_.push_back({{x, y}, begin, begin + (last - first)});
+        firsts_.push_back(first);
+    }
 
     /// Returns the number of samples in all ranges.
     std::size_t samples() const { return runs_.empty() ? 0 : runs_.back().last; }
@@ -33,7 +37,10 @@ class PixelRanges {
     /// Sets the points of a dimension of all samples.
     void make_points(std::uint32_t dimension, std::vector<Vec2>& points);
 
-    void clear() { runs_.clear(); }
+    void clear() {
+        runs_.clear();
+        firsts_.clear();
+    }
 
   private:
     /// A value for each range, or for each sample; padded.
@@ -45,7 +52,7 @@ class PixelRanges {
     std::uint64_t seed_;
     Sampler sampler_;
     std::vector<PixelRun> runs_;
-    Column firsts_;           ///< numbers of their first samples
+    Column firsts_;           ///< numbers of their first samples; not padded
     Column xs_, ys_, names_;  ///< of their pixels
     Column seeds_;            ///< of the sets of a dimension
     Column orders_, x_scrambles_, y_scrambles_;
