@@ -22,6 +22,7 @@ class Renderer {
           tiles_(camera, integrator, settings),
           film_(tiles_.film()),
           counts_(tiles_.count()) {
+        tiles_.measures_seconds = is_observed(&RenderObserver::after_tile);
         if (control.estimates_error && settings.target_error == 0) errors_.emplace(film_, settings);
     }
 

@@ -57,7 +57,8 @@ inline bool TileRenderer::add_pixel(int x, int y, const std::function<bool()>& i
 }
 
 TileResult TileRenderer::render(std::size_t tile, const std::function<bool()>& interrupted) {
-    const double start = thread_cpu_seconds();
+    const auto seconds = [&] { return measures_seconds ? thread_cpu_seconds() : 0.0; };
+    const double start = seconds();
     TileResult result;
     const auto loan = batches_.lend(rays_, integrator_, film_);
     SampleBatch& batch = *loan;
@@ -71,7 +72,7 @@ TileResult TileRenderer::render(std::size_t tile, const std::function<bool()>& i
     batch.finish();
     result.samples = batch.done();
     result.dropped = batch.dropped();
-    result.seconds = thread_cpu_seconds() - start;
+    result.seconds = seconds() - start;
     return result;
 }
 

@@ -18,7 +18,7 @@ namespace etalon {
 struct TileResult {
     RayCounts counts;
     std::uint64_t samples = 0, dropped = 0;
-    double seconds = 0;  ///< of processor time
+    double seconds = 0;  ///< of processor time; see TileRenderer::measures_seconds
 };
 
 /// An image's film, and how a tile of it gets the samples that it lacks. Tiles are identified by
@@ -75,6 +75,10 @@ class TileRenderer {
     }
 
     SamplingGoal goal;
+
+    /// Whether render() measures the time. For a thread's processor time the kernel locks the
+    /// processor's queue, which takes a microsecond.
+    bool measures_seconds = true;
 
   private:
     std::uint32_t first_sample(std::size_t pixel) const;
