@@ -11,14 +11,20 @@ constexpr std::uint32_t least_run = 4;
 }  // namespace
 
 void HitOrder::add(const Neighbours& some, const Hit& hit) {
-    PrimitiveHits& list = table_[hit.primitive % table_.size()];
-    if (list.count == 0) list.primitive = hit.primitive;
-    if (list.primitive != hit.primitive || hit.instance != no_index) {
+    const auto slot = static_cast<std::uint32_t>(hit.primitive % table_.size());
+    PrimitiveHits& list = table_[slot];
+    const bool is_unused = list.count == 0;
+    if (hit.instance != no_index || (!is_unused && list.primitive != hit.primitive)) {
         others_.push_back(some);
         return;
     }
     const auto number = static_cast<std::uint32_t>(neighbours_.size());
-    (list.count == 0 ? list.first : neighbours_[list.last].next) = number;
+    if (is_unused) {
+        list = {.primitive = hit.primitive, .first = number};
+        used_.push_back(slot);
+    } else {
+        neighbours_[list.last].next = number;
+    }
     list.last = number;
     list.count += some.last - some.first;
     neighbours_.push_back(some);
@@ -37,7 +43,8 @@ std::size_t HitOrder::append(const PrimitiveHits& list, std::size_t at) {
 }
 
 void HitOrder::find(std::span<const Hit> hits) {
-    table_.fill({});
+    for (const std::uint32_t slot : used_) table_[slot] = {};
+    used_.clear();
     runs.clear();
     neighbours_.clear();
     others_.clear();
@@ -52,15 +59,16 @@ void HitOrder::find(std::span<const Hit> hits) {
         if (hit.primitive != no_index) add({first, last, no_index}, hit);
     }
     size = 0;
-    for (const PrimitiveHits& list : table_) {
+    for (const std::uint32_t slot : used_) {
+        const PrimitiveHits& list = table_[slot];
         if (list.count < least_run) continue;
         const auto first = static_cast<std::uint32_t>(size);
         size = append(list, size);
         runs.push_back({first, first + list.count, list.primitive});
     }
     in_runs = size;
-    for (const PrimitiveHits& list : table_) {
-        if (list.count < least_run) size = append(list, size);
+    for (const std::uint32_t slot : used_) {
+        if (table_[slot].count < least_run) size = append(table_[slot], size);
     }
     for (const Neighbours& some : others_) size = append(some, size);
     std::fill_n(rays.begin() + static_cast<std::ptrdiff_t>(size), padded_doubles, 0);

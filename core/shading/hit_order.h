@@ -51,6 +51,7 @@ class HitOrder {
     /// Hash table of lists. Of primitives with the same hash only the first has a list; the rays of
     /// the rest go to `others_`.
     std::array<PrimitiveHits, 128> table_;
+    std::vector<std::uint32_t> used_;  ///< numbers of the lists that have rays
     std::vector<Neighbours> neighbours_, others_;
 };
 
