@@ -32,26 +32,14 @@ Imath::V2i block_size(int side, const FilterAxis& across, const FilterAxis& down
 
 /// Weights of one sample for consecutive pixels along one axis.
 struct Weights {
-    static constexpr std::size_t most = 2 * static_cast<int>(max_filter_radius) + 2;
-
     int first, count;
-    std::array<double, most> values;
+    std::array<double, WeightedSample::most_pixels> values;
 
     Weights(const FilterAxis& axis, double place)
         : first(axis.first(place)), count(axis.last(place) - first + 1) {
         for (int i = 0; i < count; ++i) values[i] = axis(place - 0.5 - (first + i));
     }
 };
-
-/// Adds `factor` times the values to sums, and the rounding errors of these to `errors`.
-void add_with_errors(const double* values, double factor, int count, double* __restrict sums,
-                     double* __restrict errors) {
-    for (int i = 0; i < count; ++i) {
-        const TwoTerm sum = two_sum(sums[i], factor * values[i]);
-        sums[i] = sum.value;
-        errors[i] += sum.error;
-    }
-}
 
 }  // namespace
 
@@ -91,8 +79,13 @@ std::uint64_t SplatFilm::bytes_of(const Imath::Box2i& window, int cell_side,
     return pixels * sizeof(Splat) * (cell_side > 1 ? 2 : 1);  // sums and their errors
 }
 
+SplatSums SplatFilm::sums_from(std::size_t splat) {
+    return {splats_[splat].values.data(), errors_.empty() ? nullptr : errors_[splat].values.data(),
+            static_cast<std::size_t>(block_.x) * Splat::size};
+}
+
 /// Distances are measured from the cell's corner, so that all are rounded alike and stay within the
-/// block. The sums of a row are adjacent, so that several are added to at a time.
+/// block.
 void SplatFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& sample,
                     double weight) {
     const Imath::V2i offset = pixel - corner_;
@@ -100,25 +93,11 @@ void SplatFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& sam
     const Weights x(across_, place.x - corner.x), y(down_, place.y - corner.y);
     const std::array<double, Splat::size> value{weight * sample.x, weight * sample.y,
                                                 weight * sample.z, weight};
-    std::array<double, Splat::size * Weights::most> weighted;
-    for (int u = 0; u < x.count; ++u) {
-        for (int k = 0; k < Splat::size; ++k) {
-            weighted[Splat::size * u + k] = x.values[u] * value[k];
-        }
-    }
-    const int size = Splat::size * x.count;
-    Splat* row = &splats_[cell_of(pixel) * block_.x * block_.y];
-    row += (y.first + before_.y) * block_.x + (x.first + before_.x);
-    for (int v = 0; v < y.count; ++v, row += block_.x) {
-        double* const sums = row->values.data();
-        const double factor = y.values[v];
-        if (errors_.empty()) {
-            for (int i = 0; i < size; ++i) sums[i] += factor * weighted[i];
-        } else {
-            add_with_errors(weighted.data(), factor, size, sums,
-                            errors_[row - splats_.data()].values.data());
-        }
-    }
+    const std::size_t first = cell_of(pixel) * block_.x * block_.y +
+                              (y.first + before_.y) * block_.x + (x.first + before_.x);
+    add_splats({value.data(), x.values.data(), y.values.data(), static_cast<std::size_t>(x.count),
+                static_cast<std::size_t>(y.count)},
+               sums_from(first));
 }
 
 void SplatFilm::add(const SplatFilm& other, const std::vector<double>& counts) {
@@ -127,11 +106,12 @@ void SplatFilm::add(const SplatFilm& other, const std::vector<double>& counts) {
     errors_.resize(splats_.size());
     parallel_for(splats_.size(), 1 << 12, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            add_with_errors(other.splats_[i].values.data(), 1, Splat::size,
-                            splats_[i].values.data(), errors_[i].values.data());
-            if (other.errors_.empty()) continue;
-            for (int k = 0; k < Splat::size; ++k)
-                errors_[i].values[k] += other.errors_[i].values[k];
+            for (std::size_t k = 0; k < Splat::size; ++k) {
+                const TwoTerm sum = two_sum(splats_[i].values[k], other.splats_[i].values[k]);
+                splats_[i].values[k] = sum.value;
+                errors_[i].values[k] += sum.error;
+                if (!other.errors_.empty()) errors_[i].values[k] += other.errors_[i].values[k];
+            }
         }
     });
 }
@@ -184,7 +164,7 @@ void SplatFilm::add_row(int y, const Imath::Box2i& window, const std::vector<dou
             const int last = std::min(window.max.x, corner + block_.x - 1);
             for (int x = std::max(window.min.x, corner); x <= last; ++x) {
                 const std::array<double, Splat::size> splat = value(first + (x - corner));
-                for (int k = 0; k < Splat::size; ++k) {
+                for (std::size_t k = 0; k < Splat::size; ++k) {
                     row[x - window.min.x].values[k] += cell_weights[cell] * splat[k];
                 }
             }

@@ -8,6 +8,7 @@
 #include "core/render/film.h"
 #include "core/render/filter_axis.h"
 #include "core/render/sample_rates.h"
+#include "core/render/splat_sums.h"
 
 namespace etalon {
 
@@ -71,7 +72,7 @@ class SplatFilm {
   private:
     /// Sums of weighted samples, by channel, and of their weights.
     struct Splat {
-        static constexpr int size = 4;
+        static constexpr std::size_t size = WeightedSample::channels;
         std::array<double, size> values{};
     };
 
@@ -84,9 +85,12 @@ class SplatFilm {
     std::array<double, Splat::size> value(std::size_t splat) const {
         std::array<double, Splat::size> sum = splats_[splat].values;
         if (errors_.empty()) return sum;
-        for (int k = 0; k < Splat::size; ++k) sum[k] += errors_[splat].values[k];
+        for (std::size_t k = 0; k < Splat::size; ++k) sum[k] += errors_[splat].values[k];
         return sum;
     }
+
+    /// Returns the sums from that splat on.
+    SplatSums sums_from(std::size_t splat);
 
     std::size_t cells() const { return static_cast<std::size_t>(cells_.x) * cells_.y; }
     std::size_t cell_of(const Imath::V2i& pixel) const;

@@ -9,6 +9,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "core/numerics/two_sum_lanes-inl.h"
+
 // Compiled for each instruction set, as the fused multiply-add of most is one instruction, but a
 // call where it may be missing.
 HWY_BEFORE_NAMESPACE();
@@ -31,20 +33,13 @@ struct Rows {
 };
 
 /// Double-double numbers with the operations of core/numerics/double_double.h.
-struct TwoTermLanes {
-    RowLanes value, error;
-};
+using TwoTermRows = TwoTermLanes<RowLanes>;
 
 HWY_INLINE RowLanes set(double x) {
     return hn::Set(RowsTag(), x);
 }
 
-HWY_INLINE TwoTermLanes two_sum(RowLanes a, RowLanes b) {
-    const RowLanes s = a + b, bb = s - a;
-    return {s, (a - (s - bb)) + (b - bb)};
-}
-
-HWY_INLINE TwoTermLanes two_product(RowLanes a, RowLanes b) {
+HWY_INLINE TwoTermRows two_product(RowLanes a, RowLanes b) {
     const RowLanes p = a * b;
     if constexpr (HWY_NATIVE_FMA != 0) return {p, hn::MulSub(a, b, p)};
     Rows x, y, error;
@@ -55,20 +50,20 @@ HWY_INLINE TwoTermLanes two_product(RowLanes a, RowLanes b) {
     return {p, error.lanes(0)};
 }
 
-HWY_INLINE TwoTermLanes difference(const TwoTermLanes& a, const TwoTermLanes& b) {
-    const TwoTermLanes s = two_sum(a.value, hn::Neg(b.value));
+HWY_INLINE TwoTermRows difference(const TwoTermRows& a, const TwoTermRows& b) {
+    const TwoTermRows s = two_sum(a.value, hn::Neg(b.value));
     return two_sum(s.value, s.error + (a.error - b.error));
 }
 
 /// Returns the product of a double and a double-double number.
-HWY_INLINE TwoTermLanes product(RowLanes a, const TwoTerm& b) {
-    const TwoTermLanes p = two_product(a, set(b.value));
+HWY_INLINE TwoTermRows product(RowLanes a, const TwoTerm& b) {
+    const TwoTermRows p = two_product(a, set(b.value));
     return two_sum(p.value, p.error + (a * set(b.error) + set(0) * set(b.value)));
 }
 
-HWY_INLINE RowLanes quotient(const TwoTermLanes& a, const TwoTerm& b) {
+HWY_INLINE RowLanes quotient(const TwoTermRows& a, const TwoTerm& b) {
     const RowLanes value = a.value / set(b.value);
-    const TwoTermLanes rest = difference(a, product(value, b));
+    const TwoTermRows rest = difference(a, product(value, b));
     return value + rest.value / set(b.value);
 }
 
@@ -94,11 +89,11 @@ struct CrossProducts {
         }
         return result;
     }
-    HWY_INLINE void set(std::size_t k, std::size_t first, const TwoTermLanes& lanes) {
+    HWY_INLINE void set(std::size_t k, std::size_t first, const TwoTermRows& lanes) {
         value[k].set(first, lanes.value);
         error[k].set(first, lanes.error);
     }
-    HWY_INLINE TwoTermLanes lanes(std::size_t k, std::size_t first) const {
+    HWY_INLINE TwoTermRows lanes(std::size_t k, std::size_t first) const {
         return {value[k].lanes(first), error[k].lanes(first)};
     }
     HWY_INLINE TwoTerm at(std::size_t row, std::size_t k) const {

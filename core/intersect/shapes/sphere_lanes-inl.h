@@ -9,28 +9,19 @@
 #include "core/intersect/shapes/ray_lanes-inl.h"
 #include "core/intersect/shapes/sphere.h"
 #include "core/numerics/exact.h"
+#include "core/numerics/two_sum_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
-
-struct TwoTermLanes {
-    Doubles value, error;
-};
-
-/// See core/numerics/exact.h.
-HWY_INLINE TwoTermLanes two_sum(Doubles a, Doubles b) {
-    const Doubles s = a + b, bb = s - a;
-    return {s, (a - (s - bb)) + (b - bb)};
-}
 
 /// Computes fine_gap(), with the same bits where vector multiply-adds round once.
 HWY_INLINE Doubles fine_gap(const Sphere& s, const Vec3Lanes& origin) {
     const TwoTerm square = two_product(s.radius, s.radius);
     Doubles sum = broadcast(-square.value), rest = broadcast(-square.error);
     const auto add = [&](Doubles coordinate, double centre) HWY_ATTR {
-        const TwoTermLanes f = two_sum(coordinate, broadcast(-centre));
+        const auto f = two_sum(coordinate, broadcast(-centre));
         const Doubles f2 = f.value * f.value, f2_error = hn::MulSub(f.value, f.value, f2);
-        const TwoTermLanes next = two_sum(sum, f2);
+        const auto next = two_sum(sum, f2);
         sum = next.value;
         rest = rest + (next.error + f2_error + broadcast(2) * f.value * f.error);
     };
