@@ -5,7 +5,7 @@
 #include "core/integrators/path/lit_regions_from.h"
 #include "core/medium/henyey_greenstein.h"
 #include "core/scene/transformed.h"
-#include "tests/catch.h"
+#include "tests/each_instruction_set.h"
 #include "tests/render/test_images.h"
 
 using namespace etalon;
@@ -212,6 +212,33 @@ TEST_CASE("Each direction to the beam of a spot has a density, from afar too", "
         INFO(distance);
         CHECK(unknown == 0);
     }
+}
+
+TEST_CASE("Directions to the beam of a spot have the same bits with each instruction set",
+          "[media]") {
+    const TestScene scene = foggy_spot("");
+    const auto intersector = find_backend(default_backend)->build(scene.geometry);
+    std::vector<std::string> problems;
+    const Lights lights(scene, problems);
+    const LitRegions regions(scene, lights, *intersector);
+    std::vector<Vec3> expected;  // of the first target: directions, and densities of two
+    for_each_target([&] {
+        std::vector<Vec3> all;
+        Random random(1);
+        for (int i = 0; i < 1000; ++i) {
+            const auto coordinate = [&] { return random.uniform(-4, 4); };
+            Receiver at{{coordinate(), coordinate(), coordinate()}};
+            if (i % 2 == 1) at.normal = normalized(at.position);
+            const LitRegionsFrom seen(regions, at);
+            if (seen.empty()) continue;
+            const double choice = random.uniform(), u = random.uniform(), v = random.uniform();
+            all.push_back(seen.sample(choice, {u, v}));
+            all.emplace_back(seen.density(all.back()), seen.density({0, 1, 0}), 0);
+        }
+        if (expected.empty()) expected = all;
+        CHECK(all.size() > 1000);
+        CHECK(all == expected);
+    });
 }
 
 TEST_CASE("A spot in fog is as bright without directions to its beam", "[media]") {

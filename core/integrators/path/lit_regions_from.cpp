@@ -16,40 +16,13 @@ bool is_above(const Receiver& at, const Vec3& to_centre, double radius) {
 }  // namespace
 
 LitRegionsFrom::LitRegionsFrom(const LitRegions& regions, const Receiver& at)
-    : disk_(regions.disk()), to_disk_(disk_.centre - at.position), part_(regions.part()) {
-    see_spheres(regions.spheres(), at);
+    : spheres_(regions.spheres(), at),
+      disk_(regions.disk()),
+      to_disk_(disk_.centre - at.position),
+      part_(regions.part()) {
+    for (const float weight : spheres_.weights) sum_ += weight;
     see(disk_, at);
-    for (std::size_t k = 0; k < LitSpheres::count; ++k) {
-        const float solid_angle = static_cast<float>(2 * pi) * sagitta_[k];
-        densities_[k] = weights_[k] > 0 ? weights_[k] / (solid_angle * sum_) : 0;
-    }
-}
-
-/// Without branches, so that all spheres are processed in SIMD lanes.
-void LitRegionsFrom::see_spheres(const LitSpheres& spheres, const Receiver& at) {
-    const Vec3& p = at.position;
-    const auto nx = static_cast<float>(at.normal.x), ny = static_cast<float>(at.normal.y),
-               nz = static_cast<float>(at.normal.z);
-    for (std::size_t k = 0; k < LitSpheres::count; ++k) {
-        const auto x = static_cast<float>(spheres.x[k] - p.x),
-                   y = static_cast<float>(spheres.y[k] - p.y),
-                   z = static_cast<float>(spheres.z[k] - p.z);
-        const float distance2 = x * x + y * y + z * z, radius = spheres.radius[k];
-        const float radius2 = radius * radius;
-        const bool is_outside = distance2 > radius2;
-        const float scale = is_outside ? 1 / std::sqrt(distance2) : 0;
-        x_[k] = x * scale;
-        y_[k] = y * scale;
-        z_[k] = is_outside ? z * scale : 1;
-        const float sine2 = radius2 * scale * scale;
-        const float outside = sine2 / (1 + std::sqrt(std::max(1 - sine2, 0.0F)));
-        sagitta_[k] = is_outside ? outside : 2;
-        // A sphere below the horizon of a receiver, if that has one, is not visible.
-        const float above = nx * x + ny * y + nz * z;
-        const bool is_seen = (nx == 0 && ny == 0 && nz == 0) || above > -radius;
-        weights_[k] = is_seen ? spheres.power[k] / std::max(distance2, radius2) : 0;
-    }
-    for (const float weight : weights_) sum_ += weight;
+    spheres_.share(sum_);
 }
 
 void LitRegionsFrom::see(const LitDisk& disk, const Receiver& at) {
@@ -78,32 +51,21 @@ Vec3 LitRegionsFrom::sample_disk(const Vec2& uv) const {
 Vec3 LitRegionsFrom::sample_sphere(float wanted, const Vec2& uv) const {
     std::size_t chosen = 0;
     for (std::size_t k = 0; k < LitSpheres::count; ++k) {
-        if (!(weights_[k] > 0)) continue;
+        if (!(spheres_.weights[k] > 0)) continue;
         chosen = k;
-        if ((wanted -= weights_[k]) < 0) break;
+        if ((wanted -= spheres_.weights[k]) < 0) break;
     }
-    const Vec3 axis = normalized(Vec3(x_[chosen], y_[chosen], z_[chosen]));
+    const Vec3 axis = normalized(Vec3(spheres_.x[chosen], spheres_.y[chosen], spheres_.z[chosen]));
     Vec3 x, y;
     orthonormal_basis(axis, x, y);
-    const double sagitta = uv.x * sagitta_[chosen], angle = 2 * pi * uv.y;
+    const double sagitta = uv.x * spheres_.sagitta[chosen], angle = 2 * pi * uv.y;
     const double sine = std::sqrt(std::max(0.0, sagitta * (2 - sagitta)));
     return normalized(sine * std::cos(angle) * x + sine * std::sin(angle) * y +
                       (1 - sagitta) * axis);
 }
 
-/// An axis is of length 1 up to 3e-7, and the squared distance has a relative error of 4e-7. The
-/// limit leaves room for both, since without a density a direction sampled at a narrow cone's edge
-/// would weigh as much as if few were sampled there.
 float LitRegionsFrom::density(const Vec3& direction) const {
-    constexpr float twice = 2 + 2e-6F, room = 1e-13F;
-    const Vec3f rounded(direction), rest(direction - Vec3(rounded));
-    float sum = 0;
-    for (std::size_t k = 0; k < LitSpheres::count; ++k) {
-        const float dx = rounded.x - x_[k] + rest.x, dy = rounded.y - y_[k] + rest.y,
-                    dz = rounded.z - z_[k] + rest.z;
-        const float distance2 = dx * dx + dy * dy + dz * dz;
-        sum += distance2 <= twice * sagitta_[k] + room ? densities_[k] : 0;
-    }
+    const float sum = spheres_.density(direction);
     return disk_weight_ > 0 ? sum + disk_density(direction) : sum;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/integrators/path/lit_regions.h"
+#include "core/integrators/path/lit_spheres_from.h"
 
 namespace etalon {
 
@@ -19,18 +19,12 @@ class LitRegionsFrom {
     float density(const Vec3& direction) const;
 
   private:
-    void see_spheres(const LitSpheres& spheres, const Receiver& at);
     void see(const LitDisk& disk, const Receiver& at);
     Vec3 sample_disk(const Vec2& uv) const;
     Vec3 sample_sphere(float wanted, const Vec2& uv) const;
     float disk_density(const Vec3& direction) const;
 
-    // The spheres in SoA layout. A cone is given by 1 - cos of its half angle, which is half the
-    // largest squared distance between the ends of its unit vectors and of its axis.
-    std::array<float, LitSpheres::count> x_, y_, z_;  ///< axes
-    std::array<float, LitSpheres::count> sagitta_;    ///< 1 - cos; 2 for all directions
-    std::array<float, LitSpheres::count> weights_, densities_;
-
+    LitSpheresFrom spheres_;
     const LitDisk& disk_;
     Vec3 to_disk_;
     float disk_weight_ = 0;
