@@ -31,6 +31,21 @@ void add_lit(const Material& m, int i, Random& random, SeenSurfaces& to, Vec3Buf
 
 }  // namespace
 
+TEST_CASE("A highlight of exponent 0 is everywhere, of a larger one only before the surface",
+          "[shading]") {
+    const Vec3 normal(0, 0, 1), down(0, 0, -1), behind = normalized(Vec3(4, 0, -3));
+    for (const Highlight model : {Highlight::blinn, Highlight::phong}) {
+        Material m;
+        m.highlight = model;
+        m.shininess = 0;
+        const Vec3 direction = model == Highlight::blinn ? -down : down;
+        CHECK(highlight(m, direction, normal, behind) == 1);
+        m.shininess = 0.5;
+        CHECK(highlight(m, direction, normal, behind) == 0);
+        CHECK(highlight(m, down, normal, normal) == 1);
+    }
+}
+
 TEST_CASE("Highlights found together are those of each shadow ray", "[shading]") {
     for_each_target([] {
         Random random(5);
