@@ -28,6 +28,7 @@ TEST_CASE("With pixel samples a quad light's points are shared among them, round
     CHECK(LightSamples(quad, 1).count() == 12);
     CHECK(LightSamples(quad, 5).is_random());
     CHECK(LightSamples(quad, 5).count() == 3);
+    CHECK(LightSamples(quad, 5).color() == Color(1.0F / 3));
     CHECK(LightSamples(quad, 12).count() == 1);
     CHECK(LightSamples(quad, 100).count() == 1);
 }
