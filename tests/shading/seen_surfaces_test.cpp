@@ -60,7 +60,10 @@ TEST_CASE("Surfaces seen by many rays are those that each sees", "[shading]") {
             std::vector<Hit> hits;
             std::size_t hit_count = 0;
             for (std::size_t i = 0; i < count; ++i) {
-                rays.push_back({2.0 * random.in_cube(), random.direction()});
+                Vec3 direction = random.direction();
+                if (random.one_in(4)) direction[static_cast<int>(random.index(3))] = 0;
+                rays.push_back({2.0 * random.in_cube(), direction});
+                if (i % 9 == 0) rays.back() = {Vec3(0, 3, 0), Vec3(0, -1, 0)};  // at the apex
                 hits.push_back(nearest(scene.geometry, rays[i]));
                 hit_count += hits[i].primitive != no_index;
             }
