@@ -189,6 +189,9 @@ TEST_CASE("Glass of index 1 is not there; absorption goes with the distance insi
     CHECK(centre(scene).x == Approx(0.25 * std::exp(-0.5 * 3)));
     CHECK(centre(scene).y == Approx(0.5));
     CHECK(centre(scene).z == Approx(std::exp(-0.25 * 3)));
+    scene.whitted().materials[0].absorption = Color(0.0F, 0.0F, 0.25F);
+    CHECK(centre(scene).x == Approx(0.25));
+    CHECK(centre(scene).z == Approx(std::exp(-0.25 * 3)));
 }
 
 TEST_CASE("A glass plate in an even environment neither takes nor gives light", "[shading]") {
@@ -211,6 +214,8 @@ TEST_CASE("Clamping each ray keeps highlights from glowing through a mirror", "[
     CHECK(centre(scene).x == Approx(2));
     scene.settings.whitted.clamp_each_ray = true;
     CHECK(centre(scene).x == Approx(0.5));
+    scene.geometry = {};
+    CHECK(centre(scene).x == 1);
 }
 
 TEST_CASE("An ambient colour is seen without any light", "[render]") {
