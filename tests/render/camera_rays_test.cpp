@@ -56,6 +56,9 @@ TEST_CASE("A lens moves the origin and keeps the focus plane sharp", "[render]")
         CHECK((there - focus).length() < 1e-12);
     }
     CHECK((camera.ray(Vec2(30, 70), Vec2(1, 0.5)).origin - c.eye).length() == Approx(0.4));
+    c.stretched = true;  // pixels are narrower; the lens is as wide as eight of them are high
+    const Ray narrow = CameraRays(c, size).ray(Vec2(30, 70), Vec2(1, 0.5));
+    CHECK((narrow.origin - c.eye).length() == Approx(0.4));
 }
 
 namespace {
