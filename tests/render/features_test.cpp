@@ -1,9 +1,11 @@
 #include "core/render/features.h"
 
 #include "core/parallel/parallel.h"
-#include "core/render/camera_rays.h"
+#include "core/render/camera_sampler.h"
+#include "core/shading/fresnel.h"
 #include "core/shading/physical_shading.h"
 #include "tests/catch.h"
+#include "tests/render/lens_camera.h"
 #include "tests/render/pbrt_scene.h"
 #include "tests/render/test_images.h"
 #include "tests/render/test_scenes.h"
@@ -167,6 +169,49 @@ TEST_CASE("Means are over the first 16 of the image's own samples", "[features]"
     const std::vector<Color> expected = image(glowing(scene));
     scene.settings.samples_per_pixel = samples;
     CHECK(means_of(scene).albedo.pixels() == expected);
+}
+
+TEST_CASE("The albedo of glass is of the light from where it is seen", "[features]") {
+    TestScene scene = pbrt_scene(
+        "Material \"glass\" \"rgb Kr\" [0 0 0] \"rgb Kt\" [1 1 1] \"float eta\" 1.5 "
+        "Shape \"sphere\" \"float radius\" 0.2");
+    scene.settings.samples_per_pixel = 0;
+    const SurfaceMeans means = means_of(scene);
+    const CameraRays camera(scene.camera, scene.settings.resolution);
+    int seen = 0;
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 8; ++x) {
+            const std::size_t pixel = means.normal.index(x, y);
+            const Vec3 normal = means.normal.mean(pixel);
+            if (normal == Vec3(0)) continue;
+            ++seen;
+            const double cosine =
+                -camera.ray(Vec2(x + 0.5, y + 0.5), Vec2(0.5)).direction.dot(normal);
+            CHECK(means.albedo.mean(pixel).x ==
+                  Approx(1 - fresnel_dielectric(1 / 1.5, cosine).reflectance).epsilon(1e-4));
+        }
+    }
+    CHECK(seen > 50);
+}
+
+TEST_CASE("Rays that a lens blocks see nothing", "[features]") {
+    TestScene scene = empty_scene(30, 12);
+    scene.whitted().materials = {matte(Color(1.0F))};
+    scene.geometry.add(Sphere{Vec3(0), 9}, 0);  // around the camera
+    scene.camera = camera_with(Lens::system, false);
+    scene.settings.samples_per_pixel = 16;
+    const std::vector<Color> albedo = means_of(scene).albedo.pixels();
+    const CameraSampler sampler(scene.camera, scene.settings);
+    int blocked = 0;
+    for (int i = 0; i < 30 * 12; ++i) {
+        CameraBatch batch(sampler);
+        batch.add(i % 30, i / 30, 0, 16);
+        const auto weights = batch.make(false).weights;
+        const auto passing = 16 - std::ranges::count(weights, 0.0F);
+        CHECK(albedo[i].x == static_cast<float>(passing) / 16);
+        blocked += passing < 16;
+    }
+    CHECK(blocked > 50);
 }
 
 TEST_CASE("Means use the rays of an image without samples", "[features]") {
