@@ -1,5 +1,6 @@
 #include "core/render/film.h"
 
+#include "core/render/state.h"
 #include "tests/catch.h"
 
 using namespace etalon;
@@ -12,6 +13,50 @@ TEST_CASE("A film has means, numbers and variances of its samples", "[film]") {
     CHECK(film.total_count() == 3);
     // (4 + 1 + 9) / (3 - 1)
     CHECK(film.variances() == std::vector<Color>{Color(0.0F), Color(7.0F, 0.0F, 7.0F)});
+}
+
+TEST_CASE("A film has the same sums of runs of samples as of single ones", "[film]") {
+    const std::vector<Color> samples{Color(1, 2, 3), Color(4, 0.5F, -1), Color(7), Color(0.1F)};
+    const std::vector<PixelRun> runs{{{4, 5}, 0, 3}, {{3, 6}, 3, 4}};
+    for (const bool with_squares : {false, true}) {
+        Film together({{3, 5}, {5, 6}}, with_squares), alone = together;
+        for (int round = 0; round < 2; ++round) {
+            together.add(runs, samples);
+            for (std::size_t i = 0; i < 3; ++i) alone.add(4, 5, samples[i]);
+            alone.add(3, 6, samples[3]);
+        }
+        CHECK(together.pixels() == alone.pixels());
+        CHECK(together.counts() == alone.counts());
+        if (with_squares) CHECK(together.variances() == alone.variances());
+    }
+}
+
+TEST_CASE("A film's tile that is written and read has its samples and their variance", "[film]") {
+    Film from({{3, 5}, {6, 8}}, true), to = from;
+    const Imath::Box2i tile({4, 6}, {6, 7});
+    for (int i = 0; i < 48; ++i) {
+        from.add(3 + i % 4, 5 + i / 4 % 4, Color(static_cast<float>(i * i)));
+    }
+    std::string bytes;
+    StateWriter writer([&](std::string_view piece) { bytes += piece; });
+    from.transfer(writer, tile);
+    std::string_view left = bytes;
+    StateReader reader([&](char* piece, std::size_t size) {
+        const bool are_enough = size <= left.size();
+        if (are_enough) left.remove_prefix(left.copy(piece, size));
+        return are_enough;
+    });
+    to.transfer(reader, tile);
+    CHECK((!reader.failed() && left.empty()));
+    for (int i = 0; i < 16; ++i) {
+        const int x = 3 + i % 4, y = 5 + i / 4;
+        const std::size_t pixel = from.index(x, y);
+        const bool is_in_tile = tile.intersects(Imath::V2i(x, y));
+        CAPTURE(x, y);
+        CHECK(to.counts()[pixel] == (is_in_tile ? 3 : 0));
+        CHECK(to.sum(pixel) == (is_in_tile ? from.sum(pixel) : Vec3(0)));
+        CHECK(to.variances()[pixel] == (is_in_tile ? from.variances()[pixel] : Color(0.0F)));
+    }
 }
 
 TEST_CASE("One sample has no variance, and rounding leaves none below 0", "[film]") {
