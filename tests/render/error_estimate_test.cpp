@@ -129,3 +129,52 @@ TEST_CASE("A pixel's own change does not enter the estimate from its neighbours"
     CHECK(estimate.by_neighbours(0, 0) > 0);
     CHECK(estimate.by_neighbours(0, 1) > estimate.by_neighbours(0, 0));  // it shares a side
 }
+
+TEST_CASE("The estimate of an image is the mean of those of its blocks of 32 x 32 pixels",
+          "[estimate]") {
+    const Imath::V2i blocks(2, 3);
+    Film whole({{0, 0}, {32 * blocks.x - 1, 32 * blocks.y - 1}});
+    ErrorEstimate estimate(32 * blocks.x, 32 * blocks.y, false);
+    std::vector<Film> parts(6, Film({{0, 0}, {31, 31}}));
+    std::vector<ErrorEstimate> estimates(6, ErrorEstimate(32, 32, false));
+    for (std::uint32_t first = 0, last = 1; last <= 16; first = last, last *= 2) {
+        for (std::uint32_t s = first; s < last; ++s) {
+            for (int i = 0; i < 32 * 32 * 6; ++i) {
+                const int x = i % 64, y = i / 64, block = x / 32 + y / 32 * 2;
+                const Vec2 point = SampleSource({x, y, 1, Sampler::sobol}, s).point(0);
+                const double value =
+                    block % 2 == 0 ? edge.at(point, block / 6.0) : smooth.at(point, block / 6.0);
+                const Color color(static_cast<float>(value));
+                whole.add(x, y, color);
+                parts[block].add(x % 32, y % 32, color);
+            }
+        }
+        estimate.look(whole);
+        for (int block = 0; block < 6; ++block) estimates[block].look(parts[block]);
+    }
+    double sum = 0;
+    for (int block = 0; block < 6; ++block) {
+        CHECK(estimate.rate(block % 2 * 32 + 5, block / 2 * 32 + 31) ==
+              estimates[block].rate(0, 0));
+        sum += estimates[block].total() / 6;
+    }
+    CHECK(estimate.total() == Approx(sum));
+}
+
+TEST_CASE("A change of a filtered image is shared by the pixels that were doubled", "[estimate]") {
+    Film film({{0, 0}, {1, 0}});
+    ErrorEstimate estimate(2, 1, false);
+    FilteredErrors errors{{Vec3(1), Vec3(1)}, 0};
+    const auto add = [&](int x, float value) { film.add(x, 0, Color(value)); };
+    const auto look = [&](double change) {
+        errors.change = change;
+        estimate.look(film, &errors);
+        return estimate.total() * (std::exp2(estimate.rate(0, 0)) - 1);
+    };
+    for (const int x : {0, 1}) add(x, 1);
+    look(0);
+    add(0, 2), add(1, 4);  // squared changes of 1/4 and 9/4
+    CHECK(look(0.5) == Approx(0.5));
+    for (int i = 0; i < 2; ++i) add(0, 3);
+    CHECK(look(0.25) == Approx(0.25 + 0.9 * 0.5));  // only the first was doubled
+}
