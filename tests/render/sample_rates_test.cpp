@@ -32,6 +32,61 @@ std::vector<Color> with_seed(TestScene scene, std::uint64_t seed) {
     return image(scene);
 }
 
+/// A camera that sees a pixel of an image of this size in each unit square of the plane z = 0.
+constexpr int width = 40, height = 30;
+
+Camera flat_camera() {
+    Camera camera;
+    camera.projective.emplace();
+    camera.projective->projection = Projection::orthographic;
+    camera.projective->fixed_window = ImageWindow{0, width, -height, 0};
+    return camera;
+}
+
+/// Shows a bright light at the centre of a pixel, and elsewhere an even floor that it lights.
+class OneLight : public Integrator {
+  public:
+    explicit OneLight(float light, float floor) : light_(light), floor_(floor) {}
+
+    bool shows_lights() const override { return true; }
+    void emission(const CameraSamples& samples, std::span<Color> colors) const override {
+        for (std::size_t i = 0; i < colors.size(); ++i) {
+            const Vec3 off = samples.rays[i].origin - Vec3(5.5, -8.5, 0);
+            colors[i] = Color(off.length() < 0.25 ? light_ : 0.0F);
+        }
+    }
+    void radiance(const CameraSamples& samples, std::span<Color> colors,
+                  RayCounts&) const override {
+        emission(samples, colors);
+        for (Color& color : colors) color += Color(floor_);
+        for (const SampleSource& source : samples.sources) points.push_back(source.point(77));
+    }
+
+    mutable std::vector<Vec2> points;  ///< of all samples; one thread adds to it
+
+  private:
+    float light_, floor_;
+};
+
+/// Shows a random number of each sample, and the same light.
+class Numbers : public OneLight {
+  public:
+    Numbers() : OneLight(1e4F, 1) {}
+    void radiance(const CameraSamples& samples, std::span<Color> colors,
+                  RayCounts&) const override {
+        for (std::size_t i = 0; i < colors.size(); ++i) {
+            colors[i] = Color(static_cast<float>(samples.sources[i].point(77).x));
+        }
+    }
+};
+
+RenderSettings flat_settings() {
+    RenderSettings settings;
+    settings.resolution = {width, height};
+    settings.samples_per_pixel = 8;
+    return settings;
+}
+
 /// Returns the number of pixels with more samples than others.
 std::ptrdiff_t preferred(const Rendering& rendering) {
     const auto& counts = rendering.film.counts();
@@ -49,6 +104,58 @@ TEST_CASE("Pixels at the outline of a bright light have up to 16 times the sampl
     CHECK(preferred(r) > 12);
     CHECK(preferred(r) < 100);
     CHECK(r.complete);
+}
+
+TEST_CASE(
+    "A rate is a sixteenth of the step around a pixel's centre, by the mean of what is scattered",
+    "[rates]") {
+    RenderSettings settings = flat_settings();
+    settings.pixel_rays = PixelRays::upper_left;  // of images without samples
+    const auto rate = [&](float light, float floor, int x, int y) {
+        const SampleRates rates = sample_rates(flat_camera(), OneLight(light, floor), settings,
+                                               {{0, 0}, {width - 1, height - 1}});
+        return rates.empty() ? 0 : rates[static_cast<std::size_t>(y) * width + x];
+    };
+    for (int y = 6; y <= 10; ++y) {
+        for (int x = 3; x <= 7; ++x) {
+            const bool is_near = std::abs(x - 5) <= 1 && std::abs(y - 8) <= 1;
+            CAPTURE(x, y);
+            CHECK(rate(64, 1, x, y) == (is_near ? 4 : 1));
+        }
+    }
+    CHECK(rate(1e6F, 1, 5, 8) == 16);
+    CHECK(rate(260, 4, 5, 8) == 4);
+    CHECK(rate(250, 4, 5, 8) == 2);
+    CHECK(rate(31, 1, 5, 8) == 0);
+}
+
+TEST_CASE("Rates depend on other samples than those of the image", "[rates]") {
+    const RenderSettings settings = flat_settings();
+    const OneLight integrator(64, 1);
+    sample_rates(flat_camera(), integrator, settings, {{0, 0}, {width - 1, height - 1}});
+    REQUIRE(integrator.points.size() > 100);
+    std::vector<Vec2> own;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const PixelSamples pixel(x, y, settings.seed);
+            for (std::uint32_t i = 0; i < 8; ++i) own.push_back(SampleSource(pixel, i).point(77));
+        }
+    }
+    for (const Vec2& point : integrator.points) CHECK(std::ranges::count(own, point) == 0);
+}
+
+TEST_CASE("Parts of an image with more samples at outlines have no sample in common", "[rates]") {
+    RenderSettings settings = flat_settings();
+    const Rendering whole = render(flat_camera(), Numbers(), settings);
+    CHECK(preferred(whole) == 9);
+    settings.parts = 2;
+    const Rendering first = render(flat_camera(), Numbers(), settings);
+    settings.part = 2;
+    const Rendering second = render(flat_camera(), Numbers(), settings);
+    for (std::size_t i = 0; i < whole.film.size(); ++i) {
+        CHECK(first.film.counts()[i] + second.film.counts()[i] == whole.film.counts()[i]);
+        CHECK(first.film.sum(i).x + second.film.sum(i).x == Approx(whole.film.sum(i).x));
+    }
 }
 
 TEST_CASE("Images of few samples, dim lights and lights out of view have even samples", "[rates]") {

@@ -116,19 +116,49 @@ TEST_CASE("No pixel has more samples than allowed, nor a sixty-fourth of another
 
 TEST_CASE("No image ends before eight samples of each pixel within its filter", "[passes]") {
     const TestScene small = mixed_scene(12, 9);
-    const auto least = [&](double radius, int most) {
+    const auto least = [&](const Vec2& radius, int most) {
         RenderSettings settings = up_to_error(small, 10);
         settings.samples_per_pixel = most;
-        settings.filter.radius = {radius, radius};
+        settings.filter.radius = radius;
         const Rendering r = rendered(small, settings);
         CHECK(r.complete);
         CHECK_FALSE(r.misses_target);
         return *std::ranges::min_element(r.film.counts());
     };
-    CHECK(least(0.5, 1 << 14) == 8);
-    CHECK(least(2, 1 << 14) == 8);
-    CHECK(least(0.125, 1 << 14) == 128);
-    CHECK(least(0.5, 6) == 4);  // unless fewer are allowed
+    CHECK(least(Vec2(0.5), 1 << 14) == 8);
+    CHECK(least(Vec2(2), 1 << 14) == 8);
+    CHECK(least(Vec2(0.125), 1 << 14) == 128);
+    CHECK(least(Vec2(0.125, 2), 1 << 14) == 32);
+    CHECK(least(Vec2(2, 0.125), 1 << 14) == 32);
+    CHECK(least(Vec2(0.5), 6) == 4);  // unless fewer are allowed
+}
+
+TEST_CASE("The progress of an image with a target error is a fraction that ends near 1",
+          "[passes]") {
+    const TestScene small = mixed_scene(24, 18);
+    double progress = -1;
+    RunControl control;
+    control.observers = {{.progress = [&](double part) {
+        CHECK((part >= 0 && part <= 1));
+        progress = part;
+    }}};
+    const ThreadLimit alone(1);
+    const Rendering r = rendered(small, up_to_error(small, 1e-2), control);
+    CHECK(r.complete);
+    CHECK(progress > 0.2);
+}
+
+TEST_CASE("An image is complete when pixels with a rate have that many times its samples",
+          "[passes][rates]") {
+    const Film film({{0, 0}, {1, 0}});
+    const Deadline never;
+    UniformPasses passes(8, 2, never, {1, 4});
+    CHECK(passes.next(film)->of_pixel == std::vector<std::uint32_t>{1, 4});
+    CHECK(passes.next(film)->of_pixel == std::vector<std::uint32_t>{2, 8});
+    CHECK(passes.progress(10) == 0.25);
+    CHECK(passes.progress(40) == 1);
+    CHECK_FALSE(passes.is_complete(39));
+    CHECK(passes.is_complete(40));
 }
 
 TEST_CASE("All allowed samples are taken before a target error is missed", "[passes]") {
