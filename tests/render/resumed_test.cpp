@@ -92,6 +92,12 @@ std::vector<RenderSettings> variants(const TestScene& scene) {
     return list;
 }
 
+/// A clock on which a second passes whenever it is read.
+double second_per_read() {
+    static std::atomic<int> reads = 0;
+    return ++reads;
+}
+
 }  // namespace
 
 TEST_CASE("An image stopped many times and resumed has the bits of one never stopped",
@@ -138,6 +144,121 @@ TEST_CASE("A stop is heeded within a pixel", "[resumed]") {
     CHECK_FALSE(r.complete);
     CHECK(r.samples > 1);
     CHECK(r.samples < (1 << 16));
+}
+
+TEST_CASE("An image resumed when its time is over has a sample of each pixel, and more than before",
+          "[resumed]") {
+    const TestScene scene = mixed_scene(70, 50);
+    RenderSettings settings = scene.settings;
+    settings.samples_per_pixel = 64;
+    for (const int every : {17, 61}) {  // the first state is of the first pass, or of a later one
+        std::string state;
+        std::uint64_t before = 0;
+        for (int part = 0; part < 3; ++part) {
+            MemoryKeeper keeper(every);
+            std::string_view bytes = state;
+            StateReader reader = reader_of(bytes);
+            std::atomic<bool> stop = false;
+            RunControl control;
+            control.keeper = &keeper;
+            if (part == 0) {
+                control.stop = &stop;
+                control.observers = {{.progress = [&](double) { stop = stop || keeper.kept > 0; }}};
+            } else {
+                control.resumed = &reader;
+                control.deadline = Deadline(1, second_per_read);
+            }
+            const Rendering r = rendered(scene, settings, control);
+            CAPTURE(every, part);
+            REQUIRE((keeper.kept > 0 && !reader.failed() && !r.complete));
+            CHECK(r.film.total_count() > before);
+            if (part > 0) CHECK(*std::ranges::min_element(r.film.counts()) > 0);
+            before = r.film.total_count();
+            state = keeper.state;
+        }
+    }
+}
+
+TEST_CASE("An image resumed and stopped at once is shown as it was left", "[resumed]") {
+    const TestScene scene = mixed_scene(70, 50);
+    for (RenderSettings settings : variants(scene)) {
+        settings.target_error /= 10;
+        std::string state;
+        std::optional<Rendering> left;
+        for (const bool again : {false, true}) {
+            MemoryKeeper keeper(settings.target_error > 0 ? 97 : 61);
+            std::string_view bytes = state;
+            StateReader reader = reader_of(bytes);
+            std::atomic<bool> stop = again;
+            std::vector<Color> shown;
+            RunControl control;
+            control.keeper = &keeper;
+            control.stop = &stop;
+            control.observers = {
+                {.progress = [&](double) { stop = stop || keeper.kept > 0; },
+                 .after_pass = [&](const RenderedPass& pass) { shown = pass.film.pixels(); }}};
+            if (again) control.resumed = &reader;
+            Rendering r = rendered(scene, settings, control);
+            CAPTURE(again, settings.target_error, settings.filter.radius.x);
+            REQUIRE((!r.complete && keeper.kept > 0));
+            CHECK(shown == r.film.pixels());
+            if (again) check_same(r, *left);
+            state = keeper.state;
+            left = std::move(r);
+        }
+    }
+}
+
+TEST_CASE(
+    "An image with more samples at outlines resumes to the same bits, and counts what it drops",
+    "[resumed]") {
+    /// Shows a light in a pixel, and here and there no number.
+    struct Lamp : Integrator {
+        bool shows_lights() const override { return true; }
+        void emission(const CameraSamples& samples, std::span<Color> colors) const override {
+            for (std::size_t i = 0; i < colors.size(); ++i) {
+                const Vec3& d = samples.rays[i].direction;
+                colors[i] = Color(std::hypot(d.x, d.y) < 0.012 ? 1e4F : 0.0F);
+            }
+        }
+        void radiance(const CameraSamples& samples, std::span<Color> colors,
+                      RayCounts& counts) const override {
+            emission(samples, colors);
+            for (std::size_t i = 0; i < colors.size(); ++i) {
+                const auto number = static_cast<float>(samples.sources[i].point(77).x);
+                colors[i] += Color(number < 0.1F ? std::nanf("") : number);
+            }
+            counts.camera += colors.size();
+        }
+    };
+    TestScene scene = empty_scene(70, 50);
+    scene.settings.samples_per_pixel = 13;
+    scene.settings.variance = true;
+    const Rendering whole = render(scene.camera, Lamp(), scene.settings);
+    CHECK(*std::ranges::max_element(whole.film.counts()) == 13 * 16);
+    CHECK(whole.dropped_samples > 1000);
+    std::string state;
+    for (bool is_complete = false; !is_complete;) {
+        MemoryKeeper keeper(61);
+        std::string_view bytes = state;
+        StateReader reader = reader_of(bytes);
+        std::atomic<bool> stop = false;
+        RunControl control;
+        control.keeper = &keeper;
+        control.stop = &stop;
+        control.observers = {{.progress = [&](double) { stop = stop || keeper.kept > 0; },
+                              .after_pass = [](const RenderedPass&) {}}};
+        if (!state.empty()) control.resumed = &reader;
+        const Rendering r = render(scene.camera, Lamp(), scene.settings, control);
+        REQUIRE_FALSE(reader.failed());
+        is_complete = r.complete;
+        if (is_complete) {
+            CHECK(r.resumed_samples > 0);
+            check_same(r, whole);
+            CHECK(r.dropped_samples == whole.dropped_samples);
+        }
+        state = keeper.state;
+    }
 }
 
 TEST_CASE("Keeping states changes nothing", "[resumed]") {
