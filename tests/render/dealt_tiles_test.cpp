@@ -1,7 +1,7 @@
 // Tiles that another process renders: here the same one, by way of the same bytes.
 #include "core/integrators/integrators.h"
 #include "core/render/tile_renderer.h"
-#include "tests/catch.h"
+#include "tests/render/state_bytes.h"
 #include "tests/render/test_images.h"
 #include "tests/render/test_scenes.h"
 
@@ -9,14 +9,6 @@ using namespace etalon;
 using namespace etalon::test;
 
 namespace {
-
-StateReader reader_of(std::string_view& bytes) {
-    return StateReader([&bytes](char* to, std::size_t size) {
-        if (size > bytes.size()) return false;
-        bytes.remove_prefix(bytes.copy(to, size));
-        return true;
-    });
-}
 
 /// Gives every other tile to a task. Of each result only so many bytes arrive.
 class OneProcess : public TileDealer {

@@ -1,9 +1,10 @@
 #include "core/render/film.h"
 
 #include "core/render/state.h"
-#include "tests/catch.h"
+#include "tests/render/state_bytes.h"
 
 using namespace etalon;
+using namespace etalon::test;
 
 TEST_CASE("A film has means, numbers and variances of its samples", "[film]") {
     Film film({{3, 5}, {4, 5}}, true);
@@ -37,17 +38,7 @@ TEST_CASE("A film's tile that is written and read has its samples and their vari
     for (int i = 0; i < 48; ++i) {
         from.add(3 + i % 4, 5 + i / 4 % 4, Color(static_cast<float>(i * i)));
     }
-    std::string bytes;
-    StateWriter writer([&](std::string_view piece) { bytes += piece; });
-    from.transfer(writer, tile);
-    std::string_view left = bytes;
-    StateReader reader([&](char* piece, std::size_t size) {
-        const bool are_enough = size <= left.size();
-        if (are_enough) left.remove_prefix(left.copy(piece, size));
-        return are_enough;
-    });
-    to.transfer(reader, tile);
-    CHECK((!reader.failed() && left.empty()));
+    send_tile(from, to, tile);
     for (int i = 0; i < 16; ++i) {
         const int x = 3 + i % 4, y = 5 + i / 4;
         const std::size_t pixel = from.index(x, y);

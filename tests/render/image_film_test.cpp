@@ -6,9 +6,10 @@
 
 #include "core/render/state.h"
 #include "core/sampling/sobol.h"
-#include "tests/catch.h"
+#include "tests/render/state_bytes.h"
 
 using namespace etalon;
+using namespace etalon::test;
 
 namespace {
 
@@ -166,19 +167,7 @@ TEST_CASE("A filtered film whose tiles are written and read has the same bits", 
         settings.target_error = error;
         ImageFilm from(image, settings), to = from;
         for (const std::uint32_t number : {1, 2, 3}) add_random(from, number);
-        for (const Imath::Box2i& tile : from.tiles()) {
-            std::string bytes;
-            StateWriter writer([&](std::string_view piece) { bytes += piece; });
-            from.transfer(writer, tile);
-            std::string_view left = bytes;
-            StateReader reader([&](char* piece, std::size_t size) {
-                const bool are_enough = size <= left.size();
-                if (are_enough) left.remove_prefix(left.copy(piece, size));
-                return are_enough;
-            });
-            to.transfer(reader, tile);
-            CHECK((!reader.failed() && left.empty()));
-        }
+        for (const Imath::Box2i& tile : from.tiles()) send_tile(from, to, tile);
         CHECK(means_of(to) == means_of(from));
         CHECK(to.filtered().counts() == from.filtered().counts());
     }

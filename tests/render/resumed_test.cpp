@@ -2,7 +2,7 @@
 #include <atomic>
 
 #include "core/integrators/integrators.h"
-#include "tests/catch.h"
+#include "tests/render/state_bytes.h"
 #include "tests/render/test_images.h"
 #include "tests/render/test_scenes.h"
 
@@ -31,15 +31,6 @@ class MemoryKeeper : public StateKeeper {
     int every_;
     std::atomic<int> asked_ = 0;
 };
-
-StateReader reader_of(std::string_view& bytes) {
-    return StateReader([&bytes](char* to, std::size_t size) {
-        if (size > bytes.size()) return false;
-        bytes.copy(to, size);
-        bytes.remove_prefix(size);
-        return true;
-    });
-}
 
 Rendering rendered(const TestScene& scene, const RenderSettings& settings,
                    const RunControl& control = {}) {
