@@ -41,7 +41,7 @@ class Integrator {
     virtual void radiance(const CameraSamples& samples, std::span<Color> colors,
                           RayCounts& counts) const = 0;
 
-    /// Returns whether the members above and below use CameraSamples::sources.
+    /// Returns whether radiance() or emission() uses CameraSamples::sources.
     virtual bool uses_sources() const { return true; }
 
     /// Returns whether camera rays may hit lights.

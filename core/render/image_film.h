@@ -17,9 +17,9 @@ class ImageFilm {
     /// Makes a film for an image of `window` with the filter of the settings.
     ImageFilm(const Imath::Box2i& window, const RenderSettings& settings);
 
-    /// Adds the samples of several pixels, each at its place, in pixels. Sets `colors` to
-    /// what was added. A sample that is not finite counts as black, as in pbrt-v3; returns the
-    /// number of these. For `weights` see CameraSamples.
+    /// Adds the samples of several pixels, each at its place, in pixels. Sets `colors` to what was
+    /// added. A sample that is not finite counts as black, as in pbrt-v3; returns the number of
+    /// these. For `weights` see CameraSamples.
     std::size_t add(std::span<const PixelRun> runs, std::span<const Vec2> places,
                     std::span<Color> colors, std::span<const float> weights = {});
 

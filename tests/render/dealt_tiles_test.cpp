@@ -73,12 +73,7 @@ TEST_CASE("Dealt tiles: given results of another process, then the image has the
             if (filter == FilterKind::gaussian) scene.settings.filter = {filter, Vec2(1.5)};
             const Rendering alone = rendered(scene), dealt = rendered_by_two(scene);
             CAPTURE(error, static_cast<int>(filter));
-            CHECK(dealt.film.pixels() == alone.film.pixels());
-            CHECK(dealt.film.counts() == alone.film.counts());
-            CHECK(dealt.film.variances() == alone.film.variances());
-            CHECK(dealt.counts == alone.counts);
-            CHECK(dealt.samples == alone.samples);
-            CHECK(dealt.expected_error == alone.expected_error);
+            check_same(dealt, alone);
             CHECK(dealt.complete == alone.complete);
         }
     }

@@ -58,15 +58,6 @@ Rendering rendered_in_parts(const TestScene& scene, const RenderSettings& settin
     }
 }
 
-void check_same(const Rendering& a, const Rendering& b) {
-    CHECK(a.film.pixels() == b.film.pixels());
-    CHECK(a.film.counts() == b.film.counts());
-    CHECK(a.film.variances() == b.film.variances());
-    CHECK(a.counts == b.counts);
-    CHECK(a.samples == b.samples);
-    CHECK(a.expected_error == b.expected_error);
-}
-
 /// Settings that determine how samples are taken and summed.
 std::vector<RenderSettings> variants(const TestScene& scene) {
     RenderSettings uniform = scene.settings;

@@ -4,6 +4,7 @@
 #include "app/common/backends.h"
 #include "core/integrators/integrators.h"
 #include "core/render/renderer.h"
+#include "tests/catch.h"
 #include "tests/render/test_scenes.h"
 
 namespace etalon::test {
@@ -32,6 +33,16 @@ inline Color centre(TestScene scene, int max_depth = 5) {
     scene.settings.resolution = {1, 1};
     scene.settings.max_depth = max_depth;
     return image(scene, reference_backend)[0];
+}
+
+/// Checks that two renderings are the same to the last bit.
+inline void check_same(const Rendering& a, const Rendering& b) {
+    CHECK(a.film.pixels() == b.film.pixels());
+    CHECK(a.film.counts() == b.film.counts());
+    CHECK(a.film.variances() == b.film.variances());
+    CHECK(a.counts == b.counts);
+    CHECK(a.samples == b.samples);
+    CHECK(a.expected_error == b.expected_error);
 }
 
 }  // namespace etalon::test
