@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/uninitialized.h"
 #include "core/numerics/vec.h"
-#include "core/parallel/large_pages.h"
 
 namespace etalon {
 
@@ -15,8 +15,9 @@ namespace etalon {
 /// without a notion of light, which files of either kind store unchanged.
 enum class Encoding { linear, srgb, display };
 
-/// Bytes of pixels, left uninitialized for readers to fill.
-using PixelBytes = std::vector<std::uint8_t, UninitializedLargePages<std::uint8_t>>;
+/// Bytes of pixels, left uninitialized for readers to fill. They are not in large pages: a virtual
+/// machine gives free ones back to its host, and each then takes a millisecond or two to get again.
+using PixelBytes = std::vector<std::uint8_t, Uninitialized<std::uint8_t>>;
 
 /// Pixels in rows from the top, with interleaved channels (R, G, B, ...). Eight-bit sources are
 /// stored as bytes, since a skybox is six large images.

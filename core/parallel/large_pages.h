@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
-#include <utility>
 #include <vector>
 
 #if defined(__linux__)
@@ -55,22 +54,5 @@ struct LargePages {
 /// A vector that may be long: growing it costs a page fault for each 2 MiB instead of each 4 KiB.
 template <class T>
 using LargeVector = std::vector<T, LargePages<T>>;
-
-/// The same for elements that are filled later: those without a value are left uninitialized.
-template <class T>
-struct UninitializedLargePages : LargePages<T> {
-    UninitializedLargePages() = default;
-    template <class U>
-    UninitializedLargePages(const UninitializedLargePages<U>&) {}
-
-    template <class U>
-    void construct(U* element) {
-        ::new (static_cast<void*>(element)) U;
-    }
-    template <class U, class... V>
-    void construct(U* element, V&&... values) {
-        ::new (static_cast<void*>(element)) U(std::forward<V>(values)...);
-    }
-};
 
 }  // namespace etalon

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/uninitialized.h"
 #include "core/formats/diagnostic_log.h"
 #include "core/parallel/large_pages.h"
 
@@ -13,7 +14,7 @@ namespace etalon {
 
 /// An array whose elements are left uninitialized until it is filled.
 template <class T>
-using FilledLater = std::vector<T, UninitializedLargePages<T>>;
+using FilledLater = std::vector<T, Uninitialized<T, LargePages>>;
 
 struct PlyMesh {
     FilledLater<float> positions;            ///< x y z of each vertex, finite if a triangle uses it
