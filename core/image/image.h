@@ -37,7 +37,7 @@ struct Image {
     /// Calls use(color), where color(x, y) gives the same as the member. This is for several
     /// pixels, as the type of the stored values is tested once.
     template <class Use>
-    Color with_colors(const Use& use) const;
+    void with_colors(const Use& use) const;
 
     /// Returns the first three channels converted by `convert`, which takes a stored value, a byte
     /// or a float, to a number.
@@ -63,21 +63,21 @@ inline float as_stored(float value) {
 }  // namespace detail
 
 template <class Use>
-Color Image::with_colors(const Use& use) const {
+void Image::with_colors(const Use& use) const {
     const auto place = [&](int x, int y) {
         return (static_cast<std::size_t>(y) * width + x) * channels;
     };
     return std::visit(
         [&](const auto& values) {
             if (channels < 3) {
-                return use(
-                    [&](int x, int y) { return Color(detail::as_stored(values[place(x, y)])); });
+                use([&](int x, int y) { return Color(detail::as_stored(values[place(x, y)])); });
+            } else {
+                use([&](int x, int y) {
+                    const auto* p = &values[place(x, y)];
+                    return Color(detail::as_stored(p[0]), detail::as_stored(p[1]),
+                                 detail::as_stored(p[2]));
+                });
             }
-            return use([&](int x, int y) {
-                const auto* p = &values[place(x, y)];
-                return Color(detail::as_stored(p[0]), detail::as_stored(p[1]),
-                             detail::as_stored(p[2]));
-            });
         },
         pixels);
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/image/compact_image.h"
 #include "core/image/extent.h"
 #include "core/image/image.h"
 #include "core/image/rendered_image.h"
@@ -34,6 +35,9 @@ bool has_exposure(const std::string& path);
 /// by libjpeg; anything else by OpenImageIO. A failure's reason begins with the path, quotes no
 /// library, and is a printable() line of bounded length.
 Result<Image> read_image(const std::string& path, Extent extent = Extent::whole);
+
+/// Reads the same colours in the form that takes least memory.
+Result<CompactImage> read_compact_image(const std::string& path);
 
 /// Returns a path as such a reason begins with it.
 std::string path_in_reason(const std::string& path);

@@ -16,10 +16,10 @@ std::string LazyImage::problem() const {
 
 /// Readers of files must not wait for tasks of the renderer's threads: such a wait may execute a
 /// task that needs this same image.
-const Image& LazyImage::read() const {
+const CompactImage& LazyImage::read() const {
     const std::lock_guard lock(mutex_);
     if (!ready_.load(std::memory_order_relaxed)) {
-        Result<Image> file = read_image(path_);
+        Result<CompactImage> file = read_compact_image(path_);
         if (file) image_ = std::move(file.value);
         problem_ = std::move(file.error);
         ready_.store(&image_, std::memory_order_release);

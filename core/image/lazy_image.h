@@ -4,7 +4,7 @@
 #include <mutex>
 #include <string>
 
-#include "core/image/image.h"
+#include "core/image/compact_image.h"
 
 namespace etalon {
 
@@ -15,8 +15,8 @@ class LazyImage {
     /// Chooses the file, and the image that replaces it if it cannot be read.
     void choose(std::string path, Image substitute);
 
-    const Image& get() const {
-        const Image* ready = ready_.load(std::memory_order_acquire);
+    const CompactImage& get() const {
+        const CompactImage* ready = ready_.load(std::memory_order_acquire);
         return ready ? *ready : read();
     }
 
@@ -24,13 +24,13 @@ class LazyImage {
     std::string problem() const;
 
   private:
-    const Image& read() const;
+    const CompactImage& read() const;
 
     std::string path_;
     mutable std::mutex mutex_;
-    mutable Image image_;  ///< the substitute until the file has been read
+    mutable CompactImage image_;  ///< the substitute until the file has been read
     mutable std::string problem_;
-    mutable std::atomic<const Image*> ready_ = nullptr;
+    mutable std::atomic<const CompactImage*> ready_ = nullptr;
 };
 
 }  // namespace etalon

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/color/srgb.h"
+#include "core/image/bilinear.h"
 #include "core/image/io.h"
 
 namespace etalon {
@@ -27,27 +28,6 @@ FacePoint face_point(const Vec3& d) {
     return d.z > 0 ? at(4, -d.x, d.y, a.z) : at(5, d.x, d.y, a.z);
 }
 
-Color nearest_texel(const Image& image, const FacePoint& p) {
-    const int x = static_cast<int>((image.width - 1) * p.s);
-    const int y = static_cast<int>((image.height - 1) * p.t);
-    return image.color(x, image.height - 1 - y);
-}
-
-/// Interpolates texels, which are sampled at their centres; beyond the outermost centres the edge
-/// texel is repeated.
-Color bilinear(const Image& image, const FacePoint& p) {
-    const double x = std::clamp(p.s * image.width - 0.5, 0.0, image.width - 1.0);
-    const double y = std::clamp((1 - p.t) * image.height - 0.5, 0.0, image.height - 1.0);
-    const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
-    const int x1 = std::min(x0 + 1, image.width - 1), y1 = std::min(y0 + 1, image.height - 1);
-    const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
-    return image.with_colors([&](const auto& color) {
-        const Color top = color(x0, y0) * (1 - fx) + color(x1, y0) * fx;
-        const Color bottom = color(x0, y1) * (1 - fx) + color(x1, y1) * fx;
-        return top * (1 - fy) + bottom * fy;
-    });
-}
-
 /// Returns an image of one colour, for a face whose file cannot be read.
 Image image_of_color(const Color& c, Encoding encoding) {
     return {1, 1, 3, std::vector<float>{c.x, c.y, c.z}, encoding, {}};
@@ -63,11 +43,51 @@ Color converted(const Color& stored, Encoding from, Encoding to) {
     return {convert(stored.x), convert(stored.y), convert(stored.z)};
 }
 
+/// Returns the texel that the old programs take.
+Color nearest(const CompactImage& face, const FacePoint& p, Encoding values) {
+    const auto look_up = [&](const auto& image) {
+        const int x = static_cast<int>((image.width - 1) * p.s);
+        const int y = static_cast<int>((image.height - 1) * p.t);
+        return converted(image.color(x, image.height - 1 - y), image.encoding, values);
+    };
+    return std::visit(look_up, face);
+}
+
 /// Returns whether a vector points to a place of the sky: one that is zero, infinite or no number
 /// does not, nor does a ray with such a direction hit anything.
 bool is_direction(const Vec3& v) {
     return is_finite(v) && v != Vec3(0);
 }
+
+/// Rays that look at one face, to be coloured together.
+class FaceRays {
+  public:
+    bool is_full() const { return points_.is_full(); }
+
+    void add(const CompactImage& face, const FacePoint& p, std::size_t ray) {
+        rays_[points_.count] = ray;
+        std::visit([&](const auto& image) { points_.add(image.width, image.height, p.s, 1 - p.t); },
+                   face);
+    }
+
+    /// Sets the colours of the rays, which are no longer kept.
+    void look_up(const CompactImage& face, Encoding values, std::span<Color> colors) {
+        const auto interpolate_all = [&](const auto& image) {
+            BilinearColors found;
+            interpolate(image, points_, found);
+            for (std::size_t i = 0; i < points_.count; ++i)
+                colors[rays_[i]] = converted(found[i], image.encoding, values);
+        };
+        std::visit(interpolate_all, face);
+        points_.count = 0;
+    }
+
+    bool is_empty() const { return points_.count == 0; }
+
+  private:
+    BilinearPoints points_;
+    std::array<std::size_t, BilinearPoints::most> rays_;
+};
 
 }  // namespace
 
@@ -86,11 +106,10 @@ EnvironmentMap::EnvironmentMap(const Environment& environment, Encoding values,
 }
 
 Color EnvironmentMap::radiance(const Vec3& direction) const {
-    if (!has_skybox_ || !is_direction(direction)) return environment_.background;
-    const FacePoint p = face_point(direction);
-    const Image& face = faces_[p.face].get();
-    const Color stored = environment_.skybox->nearest ? nearest_texel(face, p) : bilinear(face, p);
-    return converted(stored, face.encoding, values_);
+    constexpr Hit missed{0, no_index};
+    Color color;
+    set_radiance({&direction.x, &direction.y, &direction.z}, {&missed, 1}, {&color, 1});
+    return color;
 }
 
 void EnvironmentMap::set_radiance(const Vec3Span& directions, std::span<const Hit> hits,
@@ -99,8 +118,25 @@ void EnvironmentMap::set_radiance(const Vec3Span& directions, std::span<const Hi
         std::ranges::fill(colors, environment_.background);
         return;
     }
+    std::array<FaceRays, 6> faces;
     for (std::size_t i = 0; i < colors.size(); ++i) {
-        if (hits[i].primitive == no_index) colors[i] = radiance(directions[i]);
+        if (hits[i].primitive != no_index) continue;
+        const Vec3 direction = directions[i];
+        if (!is_direction(direction)) {
+            colors[i] = environment_.background;
+            continue;
+        }
+        const FacePoint p = face_point(direction);
+        const CompactImage& face = faces_[p.face].get();
+        if (environment_.skybox->nearest) {
+            colors[i] = nearest(face, p, values_);
+            continue;
+        }
+        faces[p.face].add(face, p, i);
+        if (faces[p.face].is_full()) faces[p.face].look_up(face, values_, colors);
+    }
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        if (!faces[k].is_empty()) faces[k].look_up(faces_[k].get(), values_, colors);
     }
 }
 

@@ -1,0 +1,206 @@
+// Interpolation of images with halved chroma, in vectors: the same bits as HalvedChroma::color().
+#include "core/image/bilinear.h"
+
+#define ETALON_WITH_AVX3
+#include "core/numerics/instruction_sets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/image/bilinear_chroma.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#ifndef ETALON_BILINEAR_CHROMA_ONCE
+#define ETALON_BILINEAR_CHROMA_ONCE
+namespace etalon {
+
+/// What is stored around each of many points.
+struct StoredAround {
+    static constexpr std::size_t most = BilinearPoints::most;
+    using Column = std::array<std::int32_t, most>;
+
+    /// Words of the brightness of two pixels, in their lower two bytes, of the row of y and of the
+    /// next.
+    alignas(64) std::array<Column, 2> luma;
+    /// Words of chroma of the column before that of x + 1, and of the next two, in their lower
+    /// three bytes; of the row before that of y + 1, of the next, and of the one that the pixels
+    /// of y + 1 are interpolated with.
+    alignas(64) std::array<Column, 3> blue, red;
+};
+
+}  // namespace etalon
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using IntTag = hn::CappedTag<std::int32_t, 16>;
+using Ints = hn::Vec<IntTag>;
+using IntMask = hn::Mask<IntTag>;
+using FloatTag = hn::Rebind<float, IntTag>;
+using Floats = hn::Vec<FloatTag>;
+
+HWY_INLINE Ints broadcast(int x) {
+    return hn::Set(IntTag(), x);
+}
+
+/// Three quarters of chroma in a row and one in another, times four, of three columns.
+struct ColumnSums {
+    HWY_INLINE ColumnSums(Ints near, Ints far) {
+        const Ints bytes = broadcast(0x00ff00ff);  // of the first and the third column
+        const auto sum = [](Ints a, Ints b) { return a + a + a + b; };
+        const Ints outer = sum(hn::And(near, bytes), hn::And(far, bytes));
+        const Ints inner =
+            sum(hn::And(hn::ShiftRight<8>(near), bytes), hn::And(hn::ShiftRight<8>(far), bytes));
+        first = hn::And(outer, broadcast(0xffff));
+        second = hn::And(inner, broadcast(0xffff));
+        third = hn::ShiftRight<16>(outer);
+    }
+    Ints first, second, third;
+};
+
+/// Chroma of a pixel and of the one to its right.
+struct PixelPair {
+    HWY_INLINE PixelPair(const ColumnSums& sums, IntMask is_odd) {
+        const auto choose = [&](Ints a, Ints b) { return hn::IfThenElse(is_odd, a, b); };
+        const Ints seven = broadcast(7), eight = broadcast(8), middle = broadcast(128);
+        const Ints near = choose(sums.first, sums.second);
+        const Ints left = sums.first + sums.second + near + near + choose(seven, eight);
+        const Ints right = sums.second + sums.second + sums.second +
+                           choose(sums.first, sums.third) + choose(eight, seven);
+        at[0] = hn::ShiftRight<4>(left) - middle;
+        at[1] = hn::ShiftRight<4>(right) - middle;
+    }
+    Ints at[2];
+};
+
+/// Chroma of the pixels of two rows.
+struct PixelQuad {
+    HWY_INLINE PixelQuad(const std::array<StoredAround::Column, 3>& rows, std::size_t first,
+                         IntMask x_is_odd, IntMask y_is_odd)
+        : PixelQuad(hn::Load(IntTag(), &rows[0][first]), hn::Load(IntTag(), &rows[1][first]),
+                    hn::Load(IntTag(), &rows[2][first]), x_is_odd, y_is_odd) {}
+
+    PixelPair top, bottom;
+
+  private:
+    HWY_INLINE PixelQuad(Ints before, Ints next, Ints last, IntMask x_is_odd, IntMask y_is_odd)
+        : top(ColumnSums(hn::IfThenElse(y_is_odd, before, next),
+                         hn::IfThenElse(y_is_odd, next, before)),
+              x_is_odd),
+          bottom(ColumnSums(next, last), x_is_odd) {}
+};
+
+struct Colors {
+    Floats red, green, blue;
+
+    HWY_INLINE Colors operator*(Floats f) const { return {red * f, green * f, blue * f}; }
+    HWY_INLINE Colors operator+(const Colors& c) const {
+        return {red + c.red, green + c.green, blue + c.blue};
+    }
+};
+
+HWY_INLINE Colors rgb(Ints luma, Ints blue, Ints red) {
+    using F = ChromaFactors;
+    const auto channel = [&](Ints difference) {
+        const Ints byte = luma + hn::ShiftRight<F::bits>(difference + broadcast(F::half));
+        const Ints clamped = hn::Min(hn::Max(byte, broadcast(0)), broadcast(255));
+        return hn::ConvertTo(FloatTag(), clamped) / hn::Set(FloatTag(), 255.0F);
+    };
+    return {channel(red * broadcast(F::red_of_red)),
+            channel(blue * broadcast(F::green_of_blue) + red * broadcast(F::green_of_red)),
+            channel(blue * broadcast(F::blue_of_blue))};
+}
+
+/// Interpolates between two pixels of a row, of which `luma` has the brightness.
+HWY_INLINE Colors between(Ints luma, const PixelPair& blue, const PixelPair& red, Floats fx) {
+    const Ints byte = broadcast(255);
+    const Colors left = rgb(hn::And(luma, byte), blue.at[0], red.at[0]);
+    const Colors right = rgb(hn::And(hn::ShiftRight<8>(luma), byte), blue.at[1], red.at[1]);
+    return left * (hn::Set(FloatTag(), 1.0F) - fx) + right * fx;
+}
+
+void interpolate(const StoredAround& stored, const BilinearPoints& points, Color* colors) {
+    const IntTag tag;
+    const auto is_odd = [&](const std::int32_t* numbers) {
+        return hn::TestBit(hn::Load(tag, numbers), broadcast(1));
+    };
+    for (std::size_t i = 0; i < points.count; i += hn::Lanes(tag)) {
+        const IntMask x_is_odd = is_odd(&points.x[i]), y_is_odd = is_odd(&points.y[i]);
+        const PixelQuad blue(stored.blue, i, x_is_odd, y_is_odd);
+        const PixelQuad red(stored.red, i, x_is_odd, y_is_odd);
+        const Floats fx = hn::Load(FloatTag(), &points.fx[i]);
+        const Floats fy = hn::Load(FloatTag(), &points.fy[i]);
+        const Colors top = between(hn::Load(tag, &stored.luma[0][i]), blue.top, red.top, fx);
+        const Colors bottom =
+            between(hn::Load(tag, &stored.luma[1][i]), blue.bottom, red.bottom, fx);
+        const Colors color = top * (hn::Set(FloatTag(), 1.0F) - fy) + bottom * fy;
+        hn::StoreInterleaved3(color.red, color.green, color.blue, FloatTag(), &colors[i].x);
+    }
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace etalon {
+namespace {
+
+/// Reads the image around points.
+class AroundPoints {
+  public:
+    AroundPoints(const HalvedChroma& image, const BilinearPoints& points, StoredAround& stored)
+        : image_(image), points_(points), stored_(stored) {}
+
+    void read(std::size_t i) const {
+        const int x = points_.x[i], y = points_.y[i];
+        stored_.luma[0][i] = luma(x, y);
+        stored_.luma[1][i] = luma(x, std::min(y + 1, image_.height - 1));
+        const int column = (x - 1) >> 1, row = (y - 1) >> 1;
+        const std::array<int, 3> rows = {row, row + 1, y % 2 == 0 ? row + 2 : row};
+        for (int k = 0; k < 3; ++k) {
+            const int of_image = std::clamp(rows[k], 0, image_.chroma_height() - 1);
+            stored_.blue[k][i] = three(image_.blue(of_image), column);
+            stored_.red[k][i] = three(image_.red(of_image), column);
+        }
+    }
+
+  private:
+    std::int32_t luma(int x, int y) const {
+        const std::uint8_t* const row = image_.luma(y);
+        return row[x] | row[std::min(x + 1, image_.width - 1)] << 8;
+    }
+
+    /// Returns the bytes of three columns, and of another where that is one word to read.
+    std::int32_t three(const std::uint8_t* row, int column) const {
+        const int last = image_.chroma_width() - 1;
+        const auto word = [](int a, int b, int c, unsigned d) {
+            return static_cast<std::int32_t>(a | b << 8 | c << 16 | d << 24);
+        };
+        if (column >= 0 && column + 3 <= last) {
+            const std::uint8_t* const p = row + column;
+            return word(p[0], p[1], p[2], p[3]);
+        }
+        const auto byte = [&](int k) { return row[std::clamp(column + k, 0, last)]; };
+        return word(byte(0), byte(1), byte(2), 0);
+    }
+
+    const HalvedChroma& image_;
+    const BilinearPoints& points_;
+    StoredAround& stored_;
+};
+
+}  // namespace
+
+HWY_EXPORT(interpolate);
+
+void interpolate(const HalvedChroma& image, const BilinearPoints& points, BilinearColors& colors) {
+    StoredAround stored;
+    const AroundPoints around(image, points, stored);
+    for (std::size_t i = 0; i < points.count; ++i) around.read(i);
+    HWY_DYNAMIC_DISPATCH(interpolate)(stored, points, colors.data());
+}
+
+}  // namespace etalon
+#endif

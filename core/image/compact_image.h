@@ -1,0 +1,14 @@
+#pragma once
+
+#include <variant>
+
+#include "core/image/halved_chroma.h"
+#include "core/image/image.h"
+
+namespace etalon {
+
+/// An image in that form which takes least memory. Each has `width`, `height`, `encoding` and
+/// color(), and is interpolated by interpolate().
+using CompactImage = std::variant<Image, HalvedChroma>;
+
+}  // namespace etalon

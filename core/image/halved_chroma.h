@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/image/image.h"
+
+namespace etalon {
+
+/// Pixels as most JPEG files store them, in half the memory of RGB: the brightness (Y) of each, and
+/// for each 2x2 of them the differences of blue and of red from it (Cb, Cr). Chroma is interpolated
+/// between the centres of its samples. Colours are the bytes that libjpeg-turbo gives, by its
+/// "fancy upsampling" (jdsample.c) and its conversion in fixed point (jdcolor.c).
+struct HalvedChroma {
+    static constexpr Encoding encoding = Encoding::srgb;
+
+    int width = 0, height = 0;
+    PixelBytes pairs;  ///< of rows of pixels: two rows of Y, one of Cb, one of Cr; whole blocks
+
+    /// Returns the bytes of a row of Y, twice as many as of one of Cb or Cr.
+    static std::size_t stride(int width) {
+        return (static_cast<std::size_t>(width) + 15) / 16 * 16;
+    }
+    static std::size_t pair_size(int width) { return 3 * stride(width); }
+
+    int chroma_width() const { return (width + 1) / 2; }
+    int chroma_height() const { return (height + 1) / 2; }
+
+    const std::uint8_t* luma(int y) const {
+        return &pairs[(y / 2) * pair_size(width) + (y % 2) * stride(width)];
+    }
+    const std::uint8_t* blue(int row) const {
+        return &pairs[row * pair_size(width) + 2 * stride(width)];
+    }
+    const std::uint8_t* red(int row) const { return blue(row) + stride(width) / 2; }
+
+    /// Returns the colour of a pixel, with channels divided by 255. 0 <= x < width,
+    /// 0 <= y < height.
+    Color color(int x, int y) const;
+};
+
+/// Factors of JFIF's conversion to RGB, in units of 1/65536.
+struct ChromaFactors {
+    static constexpr int red_of_red = 91881;      ///< 1.402
+    static constexpr int green_of_blue = -22554;  ///< 0.34414
+    static constexpr int green_of_red = -46802;   ///< 0.71414
+    static constexpr int blue_of_blue = 116130;   ///< 1.772
+    static constexpr int half = 1 << 15;
+    static constexpr int bits = 16;
+};
+
+}  // namespace etalon
