@@ -1,5 +1,6 @@
 #include "tests/fuzz/image_target.h"
 
+#include "core/image/bilinear.h"
 #include "core/image/io.h"
 #include "core/numerics/same_bits.h"
 #include "tests/fuzz/target.h"
@@ -8,19 +9,28 @@
 namespace etalon::fuzz {
 namespace {
 
-/// Requires that a file has the same pixels in compact form, of which a few are compared.
+void require_same(const Color& a, const Color& b) {
+    for (int k = 0; k < 3; ++k) require(same_bits(a[k], b[k]), "another colour in compact form");
+}
+
+/// Requires that a file has the same pixels in compact form, and the same colours between them;
+/// some are compared.
 void check_compact(const std::string& name, const Result<Image>& whole) {
     const Result<CompactImage> compact = read_compact_image(name);
     require(compact.error == whole.error, "an error in one form of the image only");
     if (!compact || !whole) return;
     const Image& image = whole.value;
+    BilinearPoints points;
     for (int k = 0; k < 5; ++k) {
         const int x = (image.width - 1) * k / 4, y = (image.height - 1) * k / 4;
         const auto color = [&](const auto& form) { return form.color(x, y); };
-        const Color a = image.color(x, y), b = std::visit(color, compact.value);
-        for (int c = 0; c < 3; ++c)
-            require(same_bits(a[c], b[c]), "another colour in compact form");
+        require_same(image.color(x, y), std::visit(color, compact.value));
+        points.add(image.width, image.height, k / 4.0, k / 4.0);
     }
+    BilinearColors expected, found;
+    interpolate(image, points, expected);
+    std::visit([&](const auto& form) { interpolate(form, points, found); }, compact.value);
+    for (std::size_t k = 0; k < points.count; ++k) require_same(expected[k], found[k]);
 }
 
 }  // namespace
