@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 
-#include "core/image/halved_chroma.h"
 #include "core/image/image.h"
+#include "core/image/subsampled_image.h"
 
 namespace etalon {
 
@@ -38,6 +38,7 @@ using BilinearColors = std::array<Color, BilinearPoints::most>;
 /// Interpolate the colours of four pixels each, as they are stored. The colours from `count` on are
 /// undefined.
 void interpolate(const Image& image, const BilinearPoints& points, BilinearColors& colors);
-void interpolate(const HalvedChroma& image, const BilinearPoints& points, BilinearColors& colors);
+void interpolate(const SubsampledImage& image, const BilinearPoints& points,
+                 BilinearColors& colors);
 
 }  // namespace etalon

@@ -31,13 +31,13 @@ std::string read_pixels(JpegReader& reader, Image& image) {
     return {};
 }
 
-std::string read_pixels(JpegReader& reader, HalvedChroma& image) {
+std::string read_pixels(JpegReader& reader, SubsampledImage& image) {
     if (!reader.start_unconverted()) return reader.reason();
     const auto read = [&](std::uint8_t* first, int count) {
         return reader.read_row_pairs(first, count);
     };
     const int pairs = (image.height + 15) / 16 * 8;
-    if (!read_by_rows(HalvedChroma::pair_size(image.width), pairs, read, image.pairs))
+    if (!read_by_rows(SubsampledImage::pair_size(image.width), pairs, read, image.pairs))
         return reader.reason();
     return {};
 }
@@ -58,8 +58,8 @@ Result<CompactImage> read_compact_jpeg(std::FILE* file) {
     JpegReader reader(file, Extent::whole);
     Result<CompactImage> image{{}, read_header(reader)};
     if (!image) return image;
-    if (reader.has_halved_chroma())
-        image.value = HalvedChroma{reader.width(), reader.height(), {}};
+    if (reader.is_subsampled())
+        image.value = SubsampledImage{reader.width(), reader.height(), {}};
     else
         image.value = header_of(reader);
     image.error =

@@ -137,7 +137,7 @@ bool JpegReader::read_rows(std::uint8_t* first, int count) {
 }
 
 /// Chroma of two columns or fewer is not interpolated by libjpeg.
-bool JpegReader::has_halved_chroma() const {
+bool JpegReader::is_subsampled() const {
     constexpr int narrowest = 5;
     if (info_.jpeg_color_space != JCS_YCbCr || width() < narrowest) return false;
     const auto is_sampled = [&](int component, int factor) {
@@ -153,7 +153,7 @@ bool JpegReader::start_unconverted() {
 }
 
 bool JpegReader::read_row_pairs(std::uint8_t* first, int count) {
-    const std::size_t block_row = HalvedChroma::pair_size(width()) * DCTSIZE;
+    const std::size_t block_row = SubsampledImage::pair_size(width()) * DCTSIZE;
     return jump_.completes([&] {
         for (int i = 0; i < count / DCTSIZE; ++i)
             read_block_row(first + static_cast<std::size_t>(i) * block_row);
@@ -176,15 +176,15 @@ void JpegReader::read_row(std::uint8_t* to) {
 
 void JpegReader::read_block_row(std::uint8_t* to) {
     std::array<JSAMPROW, 2 * DCTSIZE> luma;
-    std::array<JSAMPROW, DCTSIZE> blue, red;
-    for (int i = 0; i < DCTSIZE; ++i, to += HalvedChroma::pair_size(width())) {
-        const std::size_t stride = HalvedChroma::stride(width());
+    std::array<JSAMPROW, DCTSIZE> cb, cr;
+    for (int i = 0; i < DCTSIZE; ++i, to += SubsampledImage::pair_size(width())) {
+        const std::size_t stride = SubsampledImage::stride(width());
         luma[2 * i] = to;
         luma[2 * i + 1] = to + stride;
-        blue[i] = to + 2 * stride;
-        red[i] = blue[i] + stride / 2;
+        cb[i] = to + 2 * stride;
+        cr[i] = cb[i] + stride / 2;
     }
-    std::array<JSAMPARRAY, 3> planes = {luma.data(), blue.data(), red.data()};
+    std::array<JSAMPARRAY, 3> planes = {luma.data(), cb.data(), cr.data()};
     jpeg_read_raw_data(&info_, planes.data(), luma.size());
 }
 

@@ -9,9 +9,9 @@
 #include <jpeglib.h>
 
 #include "core/image/extent.h"
-#include "core/image/halved_chroma.h"
 #include "core/image/image.h"
 #include "core/image/library_jump.h"
+#include "core/image/subsampled_image.h"
 
 namespace etalon {
 
@@ -32,11 +32,11 @@ class JpegReader {
     bool start();
     bool read_rows(std::uint8_t* first, int count);
 
-    /// Returns whether HalvedChroma stores the same colours.
-    bool has_halved_chroma() const;
+    /// Returns whether SubsampledImage stores the same colours.
+    bool is_subsampled() const;
 
-    /// Starts decoding to row pairs of HalvedChroma, which read_row_pairs() then gives, a multiple
-    /// of eight at a time, as many as whole blocks have.
+    /// Starts decoding to row pairs of SubsampledImage, which read_row_pairs() then gives, a
+    /// multiple of eight at a time, as many as whole blocks have.
     bool start_unconverted();
     bool read_row_pairs(std::uint8_t* first, int count);
 

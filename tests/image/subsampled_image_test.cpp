@@ -21,8 +21,8 @@ JpegKind kind_named(const std::string& name) {
     return {};
 }
 
-bool is_halved(const CompactImage& image) {
-    return std::holds_alternative<HalvedChroma>(image);
+bool is_subsampled(const CompactImage& image) {
+    return std::holds_alternative<SubsampledImage>(image);
 }
 
 /// Returns how many pixels of two images differ. The images must have the same size.
@@ -38,7 +38,7 @@ int differing_pixels(const Image& a, const AnyImage& b) {
     return count;
 }
 
-/// Reads a file in both forms, which must agree. Returns whether chroma is halved.
+/// Reads a file in both forms, which must agree. Returns whether chroma is subsampled.
 bool check_file(const TemporaryFolder& folder, const std::string& content) {
     const std::string path = folder / "p.jpg";
     put(path, content);
@@ -48,7 +48,7 @@ bool check_file(const TemporaryFolder& folder, const std::string& content) {
     if (!whole || !compact) return false;
     CHECK(std::visit([&](const auto& image) { return differing_pixels(whole.value, image); },
                      compact.value) == 0);
-    return is_halved(compact.value);
+    return is_subsampled(compact.value);
 }
 
 /// Returns points in all parts of an image, some on its edges and at centres of pixels.
@@ -66,12 +66,12 @@ BilinearPoints random_points(const Image& image, Random& random) {
     return points;
 }
 
-void check_interpolated(const Image& image, const HalvedChroma& halved, Random& random) {
+void check_interpolated(const Image& image, const SubsampledImage& subsampled, Random& random) {
     for (int i = 0; i < 20; ++i) {
         const BilinearPoints points = random_points(image, random);
         BilinearColors expected, found;
         interpolate(image, points, expected);
-        interpolate(halved, points, found);
+        interpolate(subsampled, points, found);
         for (std::size_t k = 0; k < points.count; ++k) {
             CAPTURE(image.width, image.height, points.x[k], points.y[k], points.fx[k],
                     points.fy[k]);
@@ -86,9 +86,9 @@ TEST_CASE("a JPEG of any kind has the same pixels in compact form") {
     const TemporaryFolder folder;
     for (const JpegKind& kind : jpeg_kinds()) {
         INFO(kind.name);
-        const bool halves = kind.stored == JCS_YCbCr && kind.sampling == 2;
-        CHECK(check_file(folder, encoded_jpeg(kind, 67, 131)) == halves);
-        CHECK(check_file(folder, encoded_jpeg(kind, 160, 32)) == halves);
+        const bool subsamples = kind.stored == JCS_YCbCr && kind.sampling == 2;
+        CHECK(check_file(folder, encoded_jpeg(kind, 67, 131)) == subsamples);
+        CHECK(check_file(folder, encoded_jpeg(kind, 160, 32)) == subsamples);
     }
 }
 
@@ -109,27 +109,27 @@ TEST_CASE("a damaged JPEG is the same image in compact form, or the same error")
     Random random(11);
     for (const char* name : {"halved colours", "progressive", "restarts"}) {
         const std::string content = encoded_jpeg(kind_named(name), 75, 150);
-        int halved = 0;
+        int subsampled = 0;
         for (int i = 0; i < 60; ++i) {
             CAPTURE(name, i);
             std::string file = content;
             file[2 + random.index(file.size() - 2)] = static_cast<char>(random.bits());
             if (i % 4 == 0) file.resize(1 + random.index(file.size()));
-            halved += check_file(folder, file);
+            subsampled += check_file(folder, file);
         }
-        CHECK(halved > 10);
+        CHECK(subsampled > 10);
     }
 }
 
-TEST_CASE("halved chroma takes half the bytes of RGB") {
+TEST_CASE("a subsampled image takes half the bytes of RGB") {
     const TemporaryFolder folder;
     put(folder / "p.jpg", encoded_jpeg(kind_named("halved colours"), 64, 48));
     const Result<CompactImage> image = read_compact_image(folder / "p.jpg");
-    REQUIRE(is_halved(image.value));
-    CHECK(std::get<HalvedChroma>(image.value).pairs.size() == 64 * 48 * 3 / 2);
+    REQUIRE(is_subsampled(image.value));
+    CHECK(std::get<SubsampledImage>(image.value).pairs.size() == 64 * 48 * 3 / 2);
 }
 
-TEST_CASE("halved chroma is interpolated as the pixels are") {
+TEST_CASE("a subsampled image is interpolated as its pixels are") {
     const TemporaryFolder folder;
     const JpegKind kind = kind_named("halved colours");
     const std::string path = folder / "p.jpg";
@@ -137,9 +137,10 @@ TEST_CASE("halved chroma is interpolated as the pixels are") {
     for (const auto& [width, height] :
          {std::pair(5, 1), {6, 2}, {8, 3}, {17, 16}, {32, 31}, {99, 67}, {128, 64}}) {
         put(path, encoded_jpeg(kind, width, height));
-        const Result<CompactImage> halved = read_compact_image(path);
-        REQUIRE(is_halved(halved.value));
-        check_interpolated(read_image(path).value, std::get<HalvedChroma>(halved.value), random);
+        const Result<CompactImage> subsampled = read_compact_image(path);
+        REQUIRE(is_subsampled(subsampled.value));
+        check_interpolated(read_image(path).value, std::get<SubsampledImage>(subsampled.value),
+                           random);
     }
 }
 

@@ -1,16 +1,17 @@
-// Interpolation of images with halved chroma, in vectors: the same bits as HalvedChroma::color().
+// Interpolation of images with subsampled chroma, in vectors: the same bits as
+// SubsampledImage::color().
 #include "core/image/bilinear.h"
 
 #define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/image/bilinear_chroma.cpp"
+#define HWY_TARGET_INCLUDE "core/image/bilinear_subsampled.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#ifndef ETALON_BILINEAR_CHROMA_ONCE
-#define ETALON_BILINEAR_CHROMA_ONCE
+#ifndef ETALON_BILINEAR_SUBSAMPLED_ONCE
+#define ETALON_BILINEAR_SUBSAMPLED_ONCE
 namespace etalon {
 
 /// What is stored around each of many points.
@@ -18,13 +19,13 @@ struct StoredAround {
     static constexpr std::size_t most = BilinearPoints::most;
     using Column = std::array<std::int32_t, most>;
 
-    /// Words of the brightness of two pixels, in their lower two bytes, of the row of y and of the
+    /// Words of the luma of two pixels, in their lower two bytes, of the row of y and of the
     /// next.
     alignas(64) std::array<Column, 2> luma;
     /// Words of chroma of the column before that of x + 1, and of the next two, in their lower
     /// three bytes; of the row before that of y + 1, of the next, and of the one that the pixels
     /// of y + 1 are interpolated with.
-    alignas(64) std::array<Column, 3> blue, red;
+    alignas(64) std::array<Column, 3> cb, cr;
 };
 
 }  // namespace etalon
@@ -101,23 +102,23 @@ struct Colors {
     }
 };
 
-HWY_INLINE Colors rgb(Ints luma, Ints blue, Ints red) {
-    using F = ChromaFactors;
+HWY_INLINE Colors rgb(Ints luma, Ints cb, Ints cr) {
+    using F = YcbcrFactors;
     const auto channel = [&](Ints difference) {
         const Ints byte = luma + hn::ShiftRight<F::bits>(difference + broadcast(F::half));
         const Ints clamped = hn::Min(hn::Max(byte, broadcast(0)), broadcast(255));
         return hn::ConvertTo(FloatTag(), clamped) / hn::Set(FloatTag(), 255.0F);
     };
-    return {channel(red * broadcast(F::red_of_red)),
-            channel(blue * broadcast(F::green_of_blue) + red * broadcast(F::green_of_red)),
-            channel(blue * broadcast(F::blue_of_blue))};
+    return {channel(cr * broadcast(F::red_of_cr)),
+            channel(cb * broadcast(F::green_of_cb) + cr * broadcast(F::green_of_cr)),
+            channel(cb * broadcast(F::blue_of_cb))};
 }
 
-/// Interpolates between two pixels of a row, of which `luma` has the brightness.
-HWY_INLINE Colors between(Ints luma, const PixelPair& blue, const PixelPair& red, Floats fx) {
+/// Interpolates between two pixels of a row, of which `luma` has both values.
+HWY_INLINE Colors between(Ints luma, const PixelPair& cb, const PixelPair& cr, Floats fx) {
     const Ints byte = broadcast(255);
-    const Colors left = rgb(hn::And(luma, byte), blue.at[0], red.at[0]);
-    const Colors right = rgb(hn::And(hn::ShiftRight<8>(luma), byte), blue.at[1], red.at[1]);
+    const Colors left = rgb(hn::And(luma, byte), cb.at[0], cr.at[0]);
+    const Colors right = rgb(hn::And(hn::ShiftRight<8>(luma), byte), cb.at[1], cr.at[1]);
     return left * (hn::Set(FloatTag(), 1.0F) - fx) + right * fx;
 }
 
@@ -128,13 +129,12 @@ void interpolate(const StoredAround& stored, const BilinearPoints& points, Color
     };
     for (std::size_t i = 0; i < points.count; i += hn::Lanes(tag)) {
         const IntMask x_is_odd = is_odd(&points.x[i]), y_is_odd = is_odd(&points.y[i]);
-        const PixelQuad blue(stored.blue, i, x_is_odd, y_is_odd);
-        const PixelQuad red(stored.red, i, x_is_odd, y_is_odd);
+        const PixelQuad cb(stored.cb, i, x_is_odd, y_is_odd);
+        const PixelQuad cr(stored.cr, i, x_is_odd, y_is_odd);
         const Floats fx = hn::Load(FloatTag(), &points.fx[i]);
         const Floats fy = hn::Load(FloatTag(), &points.fy[i]);
-        const Colors top = between(hn::Load(tag, &stored.luma[0][i]), blue.top, red.top, fx);
-        const Colors bottom =
-            between(hn::Load(tag, &stored.luma[1][i]), blue.bottom, red.bottom, fx);
+        const Colors top = between(hn::Load(tag, &stored.luma[0][i]), cb.top, cr.top, fx);
+        const Colors bottom = between(hn::Load(tag, &stored.luma[1][i]), cb.bottom, cr.bottom, fx);
         const Colors color = top * (hn::Set(FloatTag(), 1.0F) - fy) + bottom * fy;
         hn::StoreInterleaved3(color.red, color.green, color.blue, FloatTag(), &colors[i].x);
     }
@@ -150,7 +150,7 @@ namespace {
 /// Reads the image around points.
 class AroundPoints {
   public:
-    AroundPoints(const HalvedChroma& image, const BilinearPoints& points, StoredAround& stored)
+    AroundPoints(const SubsampledImage& image, const BilinearPoints& points, StoredAround& stored)
         : image_(image), points_(points), stored_(stored) {}
 
     void read(std::size_t i) const {
@@ -161,8 +161,8 @@ class AroundPoints {
         const std::array<int, 3> rows = {row, row + 1, y % 2 == 0 ? row + 2 : row};
         for (int k = 0; k < 3; ++k) {
             const int of_image = std::clamp(rows[k], 0, image_.chroma_height() - 1);
-            stored_.blue[k][i] = three(image_.blue(of_image), column);
-            stored_.red[k][i] = three(image_.red(of_image), column);
+            stored_.cb[k][i] = three(image_.cb(of_image), column);
+            stored_.cr[k][i] = three(image_.cr(of_image), column);
         }
     }
 
@@ -186,7 +186,7 @@ class AroundPoints {
         return word(byte(0), byte(1), byte(2), 0);
     }
 
-    const HalvedChroma& image_;
+    const SubsampledImage& image_;
     const BilinearPoints& points_;
     StoredAround& stored_;
 };
@@ -195,7 +195,8 @@ class AroundPoints {
 
 HWY_EXPORT(interpolate);
 
-void interpolate(const HalvedChroma& image, const BilinearPoints& points, BilinearColors& colors) {
+void interpolate(const SubsampledImage& image, const BilinearPoints& points,
+                 BilinearColors& colors) {
     StoredAround stored;
     const AroundPoints around(image, points, stored);
     for (std::size_t i = 0; i < points.count; ++i) around.read(i);
