@@ -39,11 +39,12 @@ class Log {
         error(loc, kind, text, std::forward<T>(values)...);
     }
 
-    /// Returns the text that `make` makes, which may be expensive, if a message of the kind and
-    /// severity would be shown; else an empty one.
+    /// Returns what `make` makes, texts which may be expensive, if a message of the kind and
+    /// severity would be shown; else empty ones.
     template <class Make>
-    std::string hint(Severity severity, std::string_view kind, Make make) const {
-        return list_.is_full(strict_ ? Severity::error : severity, kind) ? std::string() : make();
+    auto hint(Severity severity, std::string_view kind, Make make) const {
+        using Texts = decltype(make());
+        return list_.is_full(strict_ ? Severity::error : severity, kind) ? Texts() : make();
     }
 
     /// Appends the diagnostics about a file that is not PBRT.

@@ -16,14 +16,17 @@ std::vector<std::string_view> names_of(Category category) {
     return names;
 }
 
-/// Returns a hint on an unknown plugin: another version, a misspelling, or the list of names.
-std::string explain(Category category, const std::string& name) {
-    if (const auto origin = origin_of_plugin(category, name); !origin.empty()) {
-        return fmt::format(", which is of {}", origin);
-    }
+/// Where an unknown plugin comes from, as far as is known, and what may have been meant instead.
+struct Hints {
+    std::string origin, meant;
+};
+
+Hints hints_on(Category category, const std::string& name) {
+    if (const auto origin = origin_of_plugin(category, name); !origin.empty())
+        return {fmt::format(", which is of {}", origin), {}};
     const auto names = names_of(category);
     const std::string near = did_you_mean(name, names);
-    return near.empty() ? fmt::format("; there are: {}", fmt::join(names, " ")) : near;
+    return {{}, near.empty() ? fmt::format("; there are: {}", fmt::join(names, " ")) : near};
 }
 
 }  // namespace
@@ -32,10 +35,10 @@ const PluginType* Parser::find_type(Category category, const std::string& name, 
     if (const PluginType* type = find_plugin(category, name)) return type;
     const auto severity =
         unknown.grade == Unknown::Grade::warning ? Severity::warning : Severity::error;
+    const Hints hints = log.hint(severity, "unknown", [&] { return hints_on(category, name); });
     const std::string text =
-        fmt::format("unknown {} {}{}; {}", to_string(category), in_quotes(name),
-                    log.hint(severity, "unknown", [&] { return explain(category, name); }),
-                    unknown.consequence);
+        fmt::format("unknown {} {}{}; {}{}", to_string(category), in_quotes(name), hints.origin,
+                    unknown.consequence, hints.meant);
     if (unknown.grade == Unknown::Grade::warning) log.warn(in.where(), "unknown", "{}", text);
     if (unknown.grade == Unknown::Grade::error) log.error(in.where(), "unknown", "{}", text);
     if (unknown.grade == Unknown::Grade::fatal) log.fatal(in.where(), "unknown", "{}", text);

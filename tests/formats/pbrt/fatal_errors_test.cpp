@@ -91,10 +91,8 @@ TEST_CASE("an active time that is none") {
 
 TEST_CASE("an unknown pixel filter") {
     const ParsedFile file = parse_text("PixelFilter \"lanczos\" WorldBegin WorldEnd");
-    CHECK(messages(file) ==
-          Messages{
-              "a.pbrt:1:1: error: unknown filter 'lanczos'; there are: box gaussian mitchell sinc "
-              "triangle; 'box' stands in for it"});
+    CHECK(messages(file) == Messages{"a.pbrt:1:1: error: unknown filter 'lanczos'; 'box' stands in "
+                                     "for it; there are: box gaussian mitchell sinc triangle"});
     CHECK(file.is_fatal);
 }
 
@@ -105,8 +103,8 @@ TEST_CASE("a fatal error is told after any number of warnings of its kind") {
     CHECK(file.is_fatal);
     REQUIRE(file.diagnostics.size() == 21);
     CHECK(to_string(file.diagnostics.back()) ==
-          "a.pbrt:1:442: error: unknown filter 'lanczos'; there are: box gaussian mitchell sinc "
-          "triangle; 'box' stands in for it");
+          "a.pbrt:1:442: error: unknown filter 'lanczos'; 'box' stands in for it; there are: box "
+          "gaussian mitchell sinc triangle");
 }
 
 TEST_CASE("a file that ends in a statement") {

@@ -25,9 +25,8 @@ TEST_CASE("the scale of a light is a colour and no number") {
 
 TEST_CASE("a light of an unknown type is left out") {
     const Frame frame = world_with("LightSource \"sun\"",
-                                   "a.pbrt:1:12: error: unknown light 'sun'; there are: point "
-                                   "spot distant infinite goniometric projection; it is left "
-                                   "out");
+                                   "a.pbrt:1:12: error: unknown light 'sun'; it is left out; there "
+                                   "are: point spot distant infinite goniometric projection");
     CHECK(frame.lights.empty());
 }
 
@@ -59,7 +58,7 @@ TEST_CASE("an area light without a name ends the one before") {
 TEST_CASE("shapes after an unknown area light do not shine") {
     const Frame frame = world_with(
         "AreaLightSource \"diffuse\" AreaLightSource \"lamp\" Shape \"sphere\"",
-        "a.pbrt:1:38: warning: unknown area light 'lamp'; there are: diffuse; shapes do not shine");
+        "a.pbrt:1:38: warning: unknown area light 'lamp'; shapes do not shine; there are: diffuse");
     CHECK(frame.shapes.at(0).area_light == none);
 }
 

@@ -52,8 +52,8 @@ TEST_CASE("a material without a name, or none, is no surface") {
 
 TEST_CASE("an unknown material is matte of the same parameters") {
     const Frame frame = world_with("Material \"mate\" " + red + sphere,
-                                   "a.pbrt:1:12: warning: unknown material 'mate'; did you mean "
-                                   "'matte'?; 'matte' stands in for it");
+                                   "a.pbrt:1:12: warning: unknown material 'mate'; 'matte' stands "
+                                   "in for it; did you mean 'matte'?");
     CHECK(material(frame).plugin.type->name == "matte");
     CHECK(diffuse(frame) == Color(1, 0, 0));
 }

@@ -92,10 +92,9 @@ TEST_CASE("a medium that is not whole is not made") {
     const std::string grid = "MakeNamedMedium \"a\" \"string type\" \"heterogeneous\" ";
     world_with("MakeNamedMedium \"a\"",
                "a.pbrt:1:12: error: 'MakeNamedMedium' has no \"string type\"");
-    world_with(
-        "MakeNamedMedium \"a\" \"string type\" \"fog\"",
-        "a.pbrt:1:12: warning: unknown medium 'fog'; there are: homogeneous heterogeneous; it "
-        "is not defined");
+    world_with("MakeNamedMedium \"a\" \"string type\" \"fog\"",
+               "a.pbrt:1:12: warning: unknown medium 'fog'; it is not defined; there are: "
+               "homogeneous heterogeneous");
     world_with(grid,
                "a.pbrt:1:12: error: the medium 'heterogeneous' is left out: 'float density' is "
                "missing");

@@ -45,19 +45,20 @@ TEST_CASE("an unknown option is said, and the default stands in for it") {
         CHECK(file.frames.size() == 1);
         return messages(file);
     };
-    CHECK(said("Sampler \"zobol\"") == Messages{"a.pbrt:1:1: error: unknown sampler 'zobol'; did "
-                                                "you mean 'sobol'?; 'halton' stands in for it"});
+    CHECK(said("Sampler \"zobol\"") ==
+          Messages{"a.pbrt:1:1: error: unknown sampler 'zobol'; 'halton' stands in for it; did you "
+                   "mean 'sobol'?"});
     CHECK(said("Camera \"x\"") ==
-          Messages{"a.pbrt:1:1: error: unknown camera 'x'; there are: perspective orthographic "
-                   "environment realistic; 'perspective' stands in for it"});
-    CHECK(said("Film \"x\"") == Messages{"a.pbrt:1:1: error: unknown film 'x'; there are: image; "
-                                         "'image' stands in for it"});
-    CHECK(
-        said("Integrator \"ao\"") ==
-        Messages{"a.pbrt:1:1: error: unknown integrator 'ao'; there are: path volpath "
-                 "directlighting whitted bdpt mlt sppm ambientocclusion; 'path' stands in for it"});
+          Messages{"a.pbrt:1:1: error: unknown camera 'x'; 'perspective' stands in for it; there "
+                   "are: perspective orthographic environment realistic"});
+    CHECK(said("Film \"x\"") ==
+          Messages{
+              "a.pbrt:1:1: error: unknown film 'x'; 'image' stands in for it; there are: image"});
+    CHECK(said("Integrator \"ao\"") ==
+          Messages{"a.pbrt:1:1: error: unknown integrator 'ao'; 'path' stands in for it; there "
+                   "are: path volpath directlighting whitted bdpt mlt sppm ambientocclusion"});
     CHECK(said("Accelerator \"x\"") == Messages{"a.pbrt:1:1: warning: unknown accelerator 'x'; "
-                                                "there are: bvh kdtree; 'bvh' stands in for it"});
+                                                "'bvh' stands in for it; there are: bvh kdtree"});
 }
 
 TEST_CASE("options in the world are left out with their parameters") {

@@ -168,9 +168,9 @@ TEST_CASE("a curve of an unknown type is a cylinder") {
 }
 
 TEST_CASE("an unknown shape is left out") {
-    const Frame frame = world_with("Shape \"cube\" Shape \"sphere\"",
-                                   "a.pbrt:1:12: warning: unknown shape 'cube'; did you mean "
-                                   "'curve'?; it is left out");
+    const Frame frame = world_with(
+        "Shape \"cube\" Shape \"sphere\"",
+        "a.pbrt:1:12: warning: unknown shape 'cube'; it is left out; did you mean 'curve'?");
     CHECK(frame.shapes.size() == 1);
 }
 

@@ -110,8 +110,8 @@ TEST_CASE("what used a texture before it was defined again keeps the old one") {
 
 TEST_CASE("a texture of an unknown class or type is not defined") {
     world_with("Texture \"t\" \"float\" \"fbn\"",
-               "a.pbrt:1:12: warning: unknown float texture 'fbn'; did you mean 'fbm'?; it is not "
-               "defined");
+               "a.pbrt:1:12: warning: unknown float texture 'fbn'; it is not defined; did you mean "
+               "'fbm'?");
     world_with("Texture \"t\" \"integer\" \"fbm\"",
                "a.pbrt:1:12: error: a texture is of type float, spectrum or color, not 'integer'");
     CHECK(parse_world("Texture \"t\" \"float\" \"marble\"").frames.at(0).textures.empty());
