@@ -251,11 +251,11 @@ TEST_CASE("A spot in fog is as bright without directions to its beam", "[media]"
 
 TEST_CASE("Directions to a spot's beam carry no more light where normals are turned", "[media]") {
     // The floor's shading normals face away from the camera.
-    const auto lit = [](const std::string& sky) {
+    const auto lit = [](const std::string& other_light) {
         return brightness(
             "LightSource \"spot\" \"rgb I\" [10 10 10] \"point from\" [0 -1.5 2]\n"
             "\"point to\" [0 1.5 2] \"float coneangle\" 20 \"float conedeltaangle\" 10\n" +
-                sky +
+                other_light +
                 "Material \"matte\" \"rgb Kd\" [1 1 1] Shape \"trianglemesh\"\n"
                 "\"integer indices\" [0 1 2 0 2 3] \"point P\" [-3 -3 0 3 -3 0 3 3 0 -3 3 0]\n"
                 "\"normal N\" [0 .4 1 0 .4 1 0 .4 1 0 .4 1]\n",
