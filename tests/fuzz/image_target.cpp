@@ -2,6 +2,7 @@
 
 #include "core/image/bilinear.h"
 #include "core/image/io.h"
+#include "core/image/lack_of_memory.h"
 #include "core/numerics/same_bits.h"
 #include "tests/fuzz/target.h"
 #include "tests/temporary_folder.h"
@@ -13,23 +14,28 @@ void require_same(const Color& a, const Color& b) {
     for (int k = 0; k < 3; ++k) require(same_bits(a[k], b[k]), "another colour in compact form");
 }
 
+bool lacks_memory(const std::string& error) {
+    return error.ends_with(lack_of_memory);
+}
+
 /// Requires that a file has the same pixels in compact form, and the same colours between them;
-/// some are compared.
+/// some are compared. One form may need more memory than there is.
 void check_compact(const std::string& name, const Result<Image>& whole) {
     const Result<CompactImage> compact = read_compact_image(name);
+    if (lacks_memory(compact.error) || lacks_memory(whole.error)) return;
     require(compact.error == whole.error, "an error in one form of the image only");
-    if (!compact || !whole) return;
+    const SubsampledImage* subsampled = std::get_if<SubsampledImage>(&compact.value);
+    if (!whole || !subsampled) return;  // the same form, read once more
     const Image& image = whole.value;
     BilinearPoints points;
     for (int k = 0; k < 5; ++k) {
         const int x = (image.width - 1) * k / 4, y = (image.height - 1) * k / 4;
-        const auto color = [&](const auto& form) { return form.color(x, y); };
-        require_same(image.color(x, y), std::visit(color, compact.value));
+        require_same(image.color(x, y), subsampled->color(x, y));
         points.add(image.width, image.height, k / 4.0, k / 4.0);
     }
     BilinearColors expected, found;
     interpolate(image, points, expected);
-    std::visit([&](const auto& form) { interpolate(form, points, found); }, compact.value);
+    interpolate(*subsampled, points, found);
     for (std::size_t k = 0; k < points.count; ++k) require_same(expected[k], found[k]);
 }
 
