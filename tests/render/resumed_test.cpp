@@ -37,24 +37,41 @@ Rendering rendered(const TestScene& scene, const RenderSettings& settings,
     return render_with(scene, *find_backend(default_backend), settings, control);
 }
 
+/// Control of a rendering that continues from a state, unless it is empty, and saves others.
+class ResumableRun {
+  public:
+    ResumableRun(const std::string& state, int every)
+        : bytes_(state), reader_(reader_of(bytes_)), keeper(every) {
+        control.keeper = &keeper;
+        if (!state.empty()) control.resumed = &reader_;
+    }
+
+    void stop_when_saved() {
+        control.stop = &stop;
+        control.observers = {{.progress = [this](double) { stop = stop || keeper.kept > 0; }}};
+    }
+    bool has_read_all() const { return !reader_.failed() && bytes_.empty(); }
+
+  private:
+    std::string_view bytes_;
+    StateReader reader_;
+
+  public:
+    MemoryKeeper keeper;
+    std::atomic<bool> stop = false;
+    RunControl control;
+};
+
 /// Stops a rendering after each saved state, and resumes it in a new one.
 Rendering rendered_in_parts(const TestScene& scene, const RenderSettings& settings, int every) {
     std::string state;
     while (true) {
-        MemoryKeeper keeper(every);
-        std::string_view bytes = state;
-        StateReader reader = reader_of(bytes);
-        std::atomic<bool> stop = false;
-        RunControl control;
-        control.keeper = &keeper;
-        control.stop = &stop;
-        control.observers = {{.progress = [&](double) { stop = stop || keeper.kept > 0; }}};
-        if (!state.empty()) control.resumed = &reader;
-        Rendering r = rendered(scene, settings, control);
-        REQUIRE_FALSE(reader.failed());
-        REQUIRE(bytes.empty());
+        ResumableRun run(state, every);
+        run.stop_when_saved();
+        Rendering r = rendered(scene, settings, run.control);
+        REQUIRE(run.has_read_all());
         if (r.complete) return r;
-        state = keeper.state;
+        state = run.keeper.state;
     }
 }
 
@@ -137,26 +154,18 @@ TEST_CASE("An image resumed when its time is over has a sample of each pixel, an
         std::string state;
         std::uint64_t before = 0;
         for (int part = 0; part < 3; ++part) {
-            MemoryKeeper keeper(every);
-            std::string_view bytes = state;
-            StateReader reader = reader_of(bytes);
-            std::atomic<bool> stop = false;
-            RunControl control;
-            control.keeper = &keeper;
-            if (part == 0) {
-                control.stop = &stop;
-                control.observers = {{.progress = [&](double) { stop = stop || keeper.kept > 0; }}};
-            } else {
-                control.resumed = &reader;
-                control.deadline = Deadline(1, second_per_read);
-            }
-            const Rendering r = rendered(scene, settings, control);
+            ResumableRun run(state, every);
+            if (part == 0)
+                run.stop_when_saved();
+            else
+                run.control.deadline = Deadline(1, second_per_read);
+            const Rendering r = rendered(scene, settings, run.control);
             CAPTURE(every, part);
-            REQUIRE((keeper.kept > 0 && !reader.failed() && !r.complete));
+            REQUIRE((run.keeper.kept > 0 && run.has_read_all() && !r.complete));
             CHECK(r.film.total_count() > before);
             if (part > 0) CHECK(*std::ranges::min_element(r.film.counts()) > 0);
             before = r.film.total_count();
-            state = keeper.state;
+            state = run.keeper.state;
         }
     }
 }
@@ -168,24 +177,18 @@ TEST_CASE("An image resumed and stopped at once is shown as it was left", "[resu
         std::string state;
         std::optional<Rendering> left;
         for (const bool again : {false, true}) {
-            MemoryKeeper keeper(settings.target_error > 0 ? 97 : 61);
-            std::string_view bytes = state;
-            StateReader reader = reader_of(bytes);
-            std::atomic<bool> stop = again;
+            ResumableRun run(state, settings.target_error > 0 ? 97 : 61);
+            run.stop_when_saved();
+            run.stop = again;
             std::vector<Color> shown;
-            RunControl control;
-            control.keeper = &keeper;
-            control.stop = &stop;
-            control.observers = {
-                {.progress = [&](double) { stop = stop || keeper.kept > 0; },
-                 .after_pass = [&](const RenderedPass& pass) { shown = pass.film.pixels(); }}};
-            if (again) control.resumed = &reader;
-            Rendering r = rendered(scene, settings, control);
+            run.control.observers.push_back(
+                {.after_pass = [&](const RenderedPass& pass) { shown = pass.film.pixels(); }});
+            Rendering r = rendered(scene, settings, run.control);
             CAPTURE(again, settings.target_error, settings.filter.radius.x);
-            REQUIRE((!r.complete && keeper.kept > 0));
+            REQUIRE((!r.complete && run.keeper.kept > 0));
             CHECK(shown == r.film.pixels());
             if (again) check_same(r, *left);
-            state = keeper.state;
+            state = run.keeper.state;
             left = std::move(r);
         }
     }
