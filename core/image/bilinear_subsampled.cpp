@@ -130,7 +130,8 @@ HWY_EXPORT(interpolate);
 void interpolate(const SubsampledImage& image, const BilinearPoints& points,
                  BilinearColors& colors) {
     StoredAround stored;
-    read_around(points, image, stored);
+    const AroundPoints around(image, points, stored);
+    for (std::size_t i = 0; i < points.count; ++i) around.read(i);
     HWY_DYNAMIC_DISPATCH(interpolate)(stored, points, colors.data());
 }
 
