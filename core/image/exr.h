@@ -23,8 +23,9 @@ inline constexpr const char* display_colors_attribute = "displayColors";
 Result<std::string> encode_exr(const RenderedImage& image);
 
 /// Reads the data window of the first part of a file as floats: R, G, B (0 for a missing one) or Y
-/// alone, from scan lines or tiles of half, float or integer. Other layouts are refused, and so are
-/// sides above 65536 and files with missing pixels. A failure's reason does not name the file.
+/// alone, from scan lines or tiles of half, float or integer, or from deep scan lines, whose
+/// samples are merged. Other layouts are refused, and so are sides above 65536 and files with
+/// missing pixels. A failure's reason does not name the file.
 Result<Image> read_exr(const std::string& path, Extent extent);
 
 }  // namespace etalon

@@ -1,16 +1,15 @@
 #include <OpenEXR/ImfChannelList.h>
-#include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfTestFile.h>
 
-#include <algorithm>
 #include <new>
 #include <stdexcept>
 #include <string_view>
 
 #include "core/image/exr.h"
+#include "core/image/exr_pixels.h"
 #include "core/image/lack_of_memory.h"
 
 namespace etalon {
@@ -43,36 +42,14 @@ std::vector<std::string> image_channels(const Imf::ChannelList& stored) {
     throw Refused("expected channels R G B, or Y alone; it has" + names);
 }
 
-/// Refuses channels with fewer values than pixels.
-void check_sampling(const Imf::ChannelList& stored, const std::vector<std::string>& names) {
-    for (const std::string& name : names) {
-        const Imf::Channel* const channel = stored.findChannel(name);
-        if (channel == nullptr || (channel->xSampling == 1 && channel->ySampling == 1)) continue;
-        throw Refused("channel " + name + " is subsampled, which is not supported");
+/// Refuses channels with fewer values than pixels, used or not: the size of a chunk would depend on
+/// where it is.
+void check_sampling(const Imf::ChannelList& stored) {
+    for (auto c = stored.begin(); c != stored.end(); ++c) {
+        if (c.channel().xSampling == 1 && c.channel().ySampling == 1) continue;
+        throw Refused(std::string("channel ") + c.name() +
+                      " is subsampled, which is not supported");
     }
-}
-
-/// Reads a few rows at a time, so that memory grows with the contents of the file, not its header.
-std::vector<float> read_rows(Imf::InputFile& file, const std::vector<std::string>& names) {
-    constexpr int rows_at_once = 256;  // the most a compressed block has (DWAB)
-    const Imath::Box2i window = file.header().dataWindow();
-    const std::size_t row = names.size() * (static_cast<std::size_t>(window.size().x) + 1);
-    std::vector<float> pixels;
-    pixels.reserve(row * (static_cast<std::size_t>(window.size().y) + 1));
-    for (int y = window.min.y; y <= window.max.y; y += rows_at_once) {
-        const int last = std::min(y + rows_at_once - 1, window.max.y);
-        const std::size_t done = pixels.size();
-        pixels.resize(done + row * static_cast<std::size_t>(last - y + 1));
-        const Imath::Box2i strip({window.min.x, y}, {window.max.x, last});
-        Imf::FrameBuffer buffer;
-        for (std::size_t k = 0; k < names.size(); ++k) {
-            buffer.insert(names[k], Imf::Slice::Make(Imf::FLOAT, &pixels[done + k], strip,
-                                                     names.size() * sizeof(float)));
-        }
-        file.setFrameBuffer(buffer);
-        file.readPixels(y, last);
-    }
-    return pixels;
 }
 
 bool has_display_colors(const Imf::Header& header) {
@@ -86,7 +63,7 @@ Image read_image_part(const std::string& path, Extent extent) {
     static_cast<void>(limited);
     Imf::InputFile file(path.c_str());
     const std::vector<std::string> names = image_channels(file.header().channels());
-    check_sampling(file.header().channels(), names);
+    check_sampling(file.header().channels());
     const Imath::Box2i window = file.header().dataWindow();
     const Imath::V2i size = window.size() + Imath::V2i(1);
     const int channels = static_cast<int>(names.size());
@@ -99,7 +76,7 @@ Image read_image_part(const std::string& path, Extent extent) {
                 encoding,
                 window.min,
                 file.header().displayWindow()};
-    if (extent == Extent::whole) image.pixels = read_rows(file, names);
+    if (extent == Extent::whole) image.pixels = read_exr_pixels(path, file, names);
     return image;
 }
 
