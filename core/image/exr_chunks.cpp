@@ -101,8 +101,7 @@ ExrChunk ExrChunks::chunk_at(const Imath::V2i& corner) const {
     }
     require(info.width > 0 && info.width <= size_.x - corner.x, "columns outside the image");
     require(info.height > 0 && info.height <= size_.y - corner.y, "rows outside the image");
-    require(info.packed_size > 0, "an empty chunk");
-    if (compression_ == EXR_COMPRESSION_NONE) {
+    if (compression_ == EXR_COMPRESSION_NONE) {  // the library refuses empty chunks only
         require(info.packed_size == info.unpacked_size, "a chunk of another size");
     }
     return chunk;

@@ -3,6 +3,7 @@
 #include <OpenEXR/ImfOutputPart.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfRgbaFile.h>
+#include <OpenEXR/ImfTiledOutputPart.h>
 
 #include "core/image/io.h"
 #include "tests/catch.h"
@@ -20,6 +21,23 @@ const Imath::Box2i window({-5, 7}, {-5 + width - 1, 7 + height - 1});
 template <class T>
 void write_exr(const std::string& path, const Layout& layout, Imf::PixelType type) {
     write_foreign_exr<T>(path, layout, type, window);
+}
+
+/// Writes a part's channel Y with the values of another channel.
+void write_part(Imf::MultiPartOutputFile& file, int part, const std::string& values,
+                const std::string& type) {
+    const std::vector<float> plane = foreign_plane<float>({width, height}, values);
+    Imf::FrameBuffer buffer;
+    buffer.insert("Y", Imf::Slice::Make(Imf::FLOAT, plane.data(), window));
+    if (type == Imf::TILEDIMAGE) {
+        Imf::TiledOutputPart output(file, part);
+        output.setFrameBuffer(buffer);
+        output.writeTiles(0, output.numXTiles() - 1, 0, output.numYTiles() - 1);
+    } else {
+        Imf::OutputPart output(file, part);
+        output.setFrameBuffer(buffer);
+        output.writePixels(height);
+    }
 }
 
 void check_image(const Result<Image>& read, const std::vector<std::string>& channels) {
@@ -86,25 +104,19 @@ TEST_CASE("a colour channel the file lacks is black") {
 
 TEST_CASE("of several parts the first is read") {
     const TemporaryFolder folder;
-    std::vector<Imf::Header> headers;
-    for (const char* name : {"first", "second"}) {
-        headers.emplace_back(Imath::Box2i({0, 0}, {99, 399}), window);
-        headers.back().setName(name);
-        headers.back().setType(Imf::SCANLINEIMAGE);
-        headers.back().compression() = Imf::ZIP_COMPRESSION;
-        headers.back().channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    const std::string type = GENERATE(Imf::SCANLINEIMAGE, Imf::TILEDIMAGE);
+    std::vector<Imf::Header> headers(2, Imf::Header({{0, 0}, {99, 399}}, window));
+    for (Imf::Header& header : headers) {
+        header.setName(std::string(1, static_cast<char>('a' + (&header - headers.data()))));
+        header.setType(type);
+        if (type == Imf::TILEDIMAGE) header.setTileDescription({13, 17, Imf::ONE_LEVEL});
+        header.compression() = Imf::ZIP_COMPRESSION;
+        header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
     }
     {
         Imf::MultiPartOutputFile file((folder / "parts.exr").c_str(), headers.data(), 2);
-        for (int part = 1; part >= 0; --part) {
-            const std::vector<float> plane =
-                foreign_plane<float>({width, height}, part == 0 ? "Y" : "Z");
-            Imf::FrameBuffer buffer;
-            buffer.insert("Y", Imf::Slice::Make(Imf::FLOAT, plane.data(), window));
-            Imf::OutputPart output(file, part);
-            output.setFrameBuffer(buffer);
-            output.writePixels(height);
-        }
+        write_part(file, 1, "Z", type);
+        write_part(file, 0, "Y", type);
     }
     check_image(read_image(folder / "parts.exr"), {"Y"});
 }
