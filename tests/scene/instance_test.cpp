@@ -39,7 +39,8 @@ Affine random_map(Random& random) {
 Affine ill_conditioned_map(Random& random) {
     const auto size = [&] { return random.magnitude(random.one_in(2) ? -8 : 0, 0); };
     const auto turn = [&] {
-        if (random.one_in(4)) return Affine{{1, 0, 0}, {1 / size(), 1, 0}, {0, 1 / size(), 1}, {}};
+        if (random.one_in(4))
+            return Affine{{1, 0, 0}, {1 / size(), 1, 0}, {0, 1 / size(), 1}, Vec3(0)};
         return rotation(random.uniform(0, 360), random.direction());
     };
     return turn() * scaling({size(), -1, size()}) * turn();
@@ -112,12 +113,12 @@ TEST_CASE("The rows of an instance have the same bits with every instruction set
 }
 
 TEST_CASE("An instance of a singular map, or of one that is not finite, does not exist") {
-    const Vec3 x(1, 2, 3), y(4, 5, 6);
-    CHECK(Instance({x, y, Vec3(0, 0, 1), {}}, 0).exists());
-    CHECK_FALSE(Instance({x, y, x + y, {}}, 0).exists());
-    CHECK_FALSE(Instance({x, y, Vec3(0), {}}, 0).exists());
-    CHECK_FALSE(Instance({x, y, Vec3(infinity, 0, 0), {}}, 0).exists());
-    CHECK_FALSE(Instance({x, y, Vec3(nan_value, 0, 0), {}}, 0).exists());
+    const Vec3 x(1, 2, 3), y(4, 5, 6), origin(0);
+    CHECK(Instance({x, y, Vec3(0, 0, 1), origin}, 0).exists());
+    CHECK_FALSE(Instance({x, y, x + y, origin}, 0).exists());
+    CHECK_FALSE(Instance({x, y, Vec3(0), origin}, 0).exists());
+    CHECK_FALSE(Instance({x, y, Vec3(infinity, 0, 0), origin}, 0).exists());
+    CHECK_FALSE(Instance({x, y, Vec3(nan_value, 0, 0), origin}, 0).exists());
 }
 
 TEST_CASE(
