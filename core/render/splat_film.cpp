@@ -91,6 +91,7 @@ void SplatFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& sam
     const Imath::V2i offset = pixel - corner_;
     const Imath::V2i corner = pixel - Imath::V2i(offset.x % side_, offset.y % side_);
     const Weights x(across_, place.x - corner.x), y(down_, place.y - corner.y);
+    if (x.count == 0 || y.count == 0) return;  // between the filters of two pixels
     const std::array<double, Splat::size> value{weight * sample.x, weight * sample.y,
                                                 weight * sample.z, weight};
     const std::size_t first = cell_of(pixel) * block_.x * block_.y +
