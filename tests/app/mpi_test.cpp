@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "core/image/io.h"
-#include "tests/app/run_program.h"
+#include "tests/app/mpirun.h"
 #include "tests/catch.h"
 #include "tests/sanitized.h"
 
@@ -25,14 +25,6 @@ const std::vector<std::string> tasks = {
 };
 
 const std::string size = " --resolution 96x72 -q ";
-
-bool has_mpirun(const Folder& f) {
-    return f.shell("mpirun --version").status == 0;
-}
-
-std::string mpirun(int ranks) {
-    return fmt::format("mpirun --allow-run-as-root --oversubscribe -n {} ", ranks);
-}
 
 /// A shell's words that render; the shell of each rank may expand them.
 std::string render(const std::string& task) {

@@ -4,6 +4,7 @@
 #include "core/image/io.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
+#include "tests/sanitized.h"
 
 using namespace etalon::test;
 
@@ -100,9 +101,7 @@ TEST_CASE("Without /proc no library is loaded from the current folder", "[app][n
     const Folder f;
     const std::string without_proc = "unshare -rm sh -c 'mount -t tmpfs none /proc && ";
     SKIP_UNLESS(f.shell(without_proc + "true'").status == 0, "unshare is not allowed");
-#if defined(__SANITIZE_THREAD__)
-    SKIP_UNLESS(false, "the thread sanitizer needs /proc");
-#endif
+    SKIP_UNLESS(!is_sanitized, "sanitizers need /proc");
     f.shell("mkdir lib && cp '" ETALON_BINARY_DIR "/lib/fault_injection.so' lib/etalon_oiio.so");
     f.write("t.pgm", "P5 1 1 255\nx");
     f.write("s.pbrt",

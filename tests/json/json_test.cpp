@@ -9,7 +9,7 @@
 #include "bench/speed/timed_tracer.h"
 #include "core/scene/shapes.h"
 #include "core/test_rays/ray_sets.h"
-#include "tests/app/run_program.h"
+#include "tests/app/mpirun.h"
 #include "tests/bench/report_results.h"
 #include "tests/catch.h"
 #include "tests/json/documented_keys.h"
@@ -159,10 +159,6 @@ class Programs {
     Folder f_;
 };
 
-bool has_mpirun(const Programs& run) {
-    return run.folder().shell("mpirun --version").status == 0;
-}
-
 void check_renders(Comparison& c, const Programs& run) {
     const std::string to = "etalon-render---stats", stats = " -q --stats s.json";
     run("etalon render G --spp 2 --seed 1 -q -o a.exr --stats s.json", "s.json");
@@ -174,11 +170,9 @@ void check_renders(Comparison& c, const Programs& run) {
         "etalon render G -o b.exr --spp 4096 --time-limit 1e-300 --checkpoint c";
     run(stopped + stats, "s.json");
     c.check(to, run(stopped + " --resume" + stats, "s.json"));
-    if (has_mpirun(run)) {
-        const auto r =
-            run.folder().shell("mpirun --allow-run-as-root --oversubscribe -n 2 '" ETALON_BINARY_DIR
-                               "/bin/etalon' render G -o b.exr --spp 4096" +
-                               stats);
+    if (has_mpirun(run.folder())) {
+        const auto r = run.folder().shell(
+            mpirun(2) + "'" ETALON_BINARY_DIR "/bin/etalon' render G -o b.exr --spp 4096" + stats);
         CHECK(r.status == 0);
         c.check(to, json::parse(run.folder().read("s.json")));
     }
@@ -254,7 +248,7 @@ TEST_CASE("Every value that the programs write as JSON is documented, and all do
     check_measurements(c, run);
     check_report(c, run);
     std::vector<std::string> missing = c.missing();
-    if (!has_mpirun(run)) {  // by which ranks are started
+    if (!has_mpirun(run.folder())) {  // by which ranks are started
         std::erase_if(missing,
                       [](const std::string& line) { return line.find("ranks.") != line.npos; });
     }
