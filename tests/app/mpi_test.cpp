@@ -278,7 +278,7 @@ TEST_CASE("Processes of another MPI's launcher report once that they do not meet
     const Folder f;
     SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
     f.write("ball.p3f", small_scene);
-    const std::string second = "PMI_SIZE=2 PMI_RANK=";
+    const std::string second = std::string(with_mpi) + "PMI_SIZE=2 PMI_RANK=";
     const std::string render = " " ETALON_BINARY_DIR "/bin/etalon render ball.p3f -q -o a.exr";
     const auto first = f.shell(second + "0" + render);
     CHECK(first.status == 3);
