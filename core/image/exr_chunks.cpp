@@ -18,7 +18,7 @@ void check(exr_result_t result) {
     require(result == EXR_ERR_SUCCESS, exr_get_default_error_message(result));
 }
 
-/// Keeps the library from writing to stderr; check() has its results.
+/// Keeps the library from printing messages; check() has its results.
 void ignore_message(exr_const_context_t, exr_result_t, const char*) {}
 
 _priv_exr_context_t* open(const std::string& path) {
