@@ -10,6 +10,12 @@ inline constexpr bool is_sanitized = false;
 #define ETALON_LONG_IF_SANITIZED ""
 #endif
 
+#ifdef __SANITIZE_THREAD__
+inline constexpr bool is_thread_sanitized = true;
+#else
+inline constexpr bool is_thread_sanitized = false;
+#endif
+
 /// What a test case skips under a sanitizer for.
 inline constexpr const char* no_preload =
     "a build without sanitizers, which libraries can be preloaded into";
