@@ -1,5 +1,6 @@
 #include "native_accel/bvh/bvh.h"
 
+#include "core/accel/tree/reinsertion.h"
 #include "core/accel/tree/scene_tree.h"
 #include "native_accel/common/isa.h"
 
@@ -31,6 +32,7 @@ Bvh::Bvh(const Geometry& geometry)
         entries_.emplace_back(static_cast<const Bvh&>(object(i)).view());
     }
     BvhTree tree = build_scene_bvh(geometry, scene_bounds().space, take_bounded());
+    if (!geometry.instances.empty()) tree = reinserted(std::move(tree));
     if (tree.nodes.empty()) return;
     const std::vector<Range> ranges = number_leaves(tree);
     const std::vector<ClusterRef> refs = cluster_refs(geometry, tree.ids, ranges);

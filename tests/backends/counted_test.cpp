@@ -35,6 +35,21 @@ Scene pebbles(const Vec3& place) {
     return scene;
 }
 
+/// Spheres from 2^-26 to 1 large, as instances, each up to eight times as far from the origin as it
+/// is large.
+Scene nested_spheres(int count) {
+    Scene scene;
+    scene.geometry.objects.emplace_back().add(Sphere{Vec3(0), 0.5}, 0);
+    Random random(4);
+    for (int i = 0; i < count; ++i) {
+        const double size = random.magnitude(-8, 0);
+        const Vec3 place = 8 * size * random.in_cube();
+        const Affine map{{size, 0, 0}, {0, size, 0}, {0, 0, size}, place};
+        scene.geometry.instances.emplace_back(map, 0);
+    }
+    return scene;
+}
+
 }  // namespace
 
 TEST_CASE("Given a ray, a query that counts finds the same hit to the last bit", "[backends]") {
@@ -125,4 +140,14 @@ TEST_CASE("A large ground, near the world's origin or far from it, does not blur
             }
         }
     }
+}
+
+TEST_CASE("Given instances of nested sizes, a ray among them is taken to few", "[backends]") {
+    const Scene scene = nested_spheres(5000);
+    const auto bvh = backend_named("bvh").build(scene.geometry);
+    Random random(5);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 2000; ++i) rays.push_back({0.01 * random.in_cube(), random.in_cube()});
+    const TraversalCost cost = cost_of(*bvh, rays);
+    CHECK(cost.primitive_tests < 5 * rays.size());
 }

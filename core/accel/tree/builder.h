@@ -15,10 +15,12 @@ struct BvhConfig {
     std::size_t serial_below = 4096;  ///< subtrees of fewer primitives are built by one thread
 };
 
-/// Depth limits of any tree: this many levels by the heuristic, then at most 32 that halve the
-/// remaining sets.
+/// Builds this many levels by the heuristic, then at most 32 that halve the remaining sets.
 inline constexpr int bvh_heuristic_depth = 40;
-inline constexpr int bvh_max_depth = bvh_heuristic_depth + 32;
+
+/// Depth limit of any tree, for the stacks of traversals. Nested sizes are best in a chain: see
+/// reinsertion.h.
+inline constexpr int bvh_max_depth = 128;
 
 struct BvhTree {
     /// Nodes in depth-first order, left before right, but the children of a node are adjacent.
