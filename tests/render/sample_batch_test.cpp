@@ -1,5 +1,6 @@
 // Samples on their way from the camera to the film.
 #include <limits>
+#include <stdexcept>
 
 #include "core/render/camera_sampler.h"
 #include "core/render/renderer.h"
@@ -28,7 +29,8 @@ class Recorder : public Integrator {
     }
     void radiance(const CameraSamples& samples, std::span<Color> colors,
                   RayCounts& counts) const override {
-        REQUIRE(samples.sources.size() == colors.size());
+        // Not REQUIRE: this runs on several threads.
+        if (samples.sources.size() != colors.size()) throw std::logic_error("sources are missing");
         for (std::size_t i = 0; i < colors.size(); ++i) {
             colors[i] = color(samples.rays[i].time(), samples.sources[i]);
         }
