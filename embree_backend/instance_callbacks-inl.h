@@ -20,7 +20,8 @@ namespace etalon::HWY_NAMESPACE {
 HWY_INLINE void offer_entered(const UserQuery& query, std::uint32_t item, const Instance& instance,
                               const ObjectRay& ray, const NormalizedRay& local,
                               NearestHit& nearest) {
-    const RayQuery inside(ray.ray(query.query.ray, nearest.t));
+    const RayQuery inside(
+        ray.ray(query.query.ray, nearest.t, query.view.geometry.instance_number(item)));
     if (HWY_UNLIKELY(query.view.entered == nullptr)) {
         return query.view.instances.offer_entered(item, inside, local, nearest);
     }
@@ -34,7 +35,8 @@ HWY_INLINE void offer_entered(const UserQuery& query, std::uint32_t item, const 
 HWY_INLINE bool entered_occludes(const UserQuery& query, std::uint32_t item,
                                  const Instance& instance, const ObjectRay& ray,
                                  const NormalizedRay& local) {
-    const RayQuery inside(ray.ray(query.query.ray, query.query.ray.tmax));
+    const RayQuery inside(
+        ray.ray(query.query.ray, query.query.ray.tmax, query.view.geometry.instance_number(item)));
     if (HWY_UNLIKELY(query.view.entered == nullptr)) {
         return query.view.instances.entered_occludes(item, inside, local);
     }

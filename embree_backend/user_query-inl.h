@@ -62,7 +62,7 @@ struct UserQuery : EmbreeContext {
         }
         if constexpr (kind == ClusterRef::spheres) {
             const auto make = [&]() HWY_ATTR {
-                return SphereFilter(local, ray.tnear, query.ray.exclude);
+                return SphereFilter(local, ray.tnear, query.ray.excluded());
             };
             return spheres.get(make).candidates(view.clusters.spheres(ref), ray.tfar);
         }

@@ -6,8 +6,9 @@ namespace etalon {
 
 void Intersector::offer_instance(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
                                  TraversalCost* cost) const {
-    const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
-    Ray ray = to_object(*instance, query.ray);
+    const std::uint32_t number = geometry_.instance_number(item);
+    const InstanceAt instance(geometry_, number, query.ray.time());
+    Ray ray = to_object(*instance, number, query.ray);
     const Intersector& object = *objects_[instance->object];
     const bool misses = misses_bounds(object.bounds_.space, ray);
     if (misses && !object.bounds_.has_more()) return;
@@ -17,8 +18,9 @@ void Intersector::offer_instance(std::uint32_t item, const RayQuery& query, Near
 }
 
 bool Intersector::instance_occludes(std::uint32_t item, const RayQuery& query) const {
-    const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
-    const Ray ray = to_object(*instance, query.ray);
+    const std::uint32_t number = geometry_.instance_number(item);
+    const InstanceAt instance(geometry_, number, query.ray.time());
+    const Ray ray = to_object(*instance, number, query.ray);
     const Intersector& object = *objects_[instance->object];
     const bool misses = misses_bounds(object.bounds_.space, ray);
     return !(misses && !object.bounds_.has_more()) && object.is_occluded(ray, misses);

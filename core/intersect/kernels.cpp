@@ -136,8 +136,8 @@ SurfacePoint surface_of(const Geometry& geometry, const Shape& shape, Sides side
     }
     const InstanceAt instance(geometry, hit.instance, ray.time());
     const Geometry& object = geometry.objects[instance->object];
-    SurfacePoint local =
-        surface_at(object, to_object(*instance, RayQuery(ray).ray), {hit.t, hit.primitive});
+    SurfacePoint local = surface_at(object, to_object(*instance, hit.instance, RayQuery(ray).ray),
+                                    {hit.t, hit.primitive});
     SurfacePoint point = placed(*instance, local);
     if (move_off_edges(object, *instance, point, local)) point = placed(*instance, local);
     point.instance = hit.instance;

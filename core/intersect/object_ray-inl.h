@@ -81,14 +81,14 @@ class ObjectRay {
         return normalize(space, to) ? ObjectEntry::enters : ObjectEntry::misses;
     }
 
-    /// Returns the ray up to `tmax`. Everything else is that of `world`.
-    HWY_INLINE Ray ray(const Ray& world, double tmax) const {
+    /// Returns the ray up to `tmax`, in the instance of that number. Everything else is as for
+    /// to_object() of `world`.
+    HWY_INLINE Ray ray(const Ray& world, double tmax, std::uint32_t instance) const {
         alignas(32) ObjectSpace::Axes o, d;
         hn::Store(origin_, AxesTag(), o.data());
         hn::Store(direction_, AxesTag(), d.data());
-        Ray ray{{o[0], o[1], o[2]}, {d[0], d[1], d[2]}, world.tmin, tmax};
-        ray.traits_and_time = world.traits_and_time;
-        return ray;
+        return {{o[0], o[1], o[2]},       {d[0], d[1], d[2]},   world.tmin, tmax,
+                world.excluded(instance), world.traits_and_time};
     }
 
   private:

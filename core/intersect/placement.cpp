@@ -52,7 +52,7 @@ SurfacePoint placed(const Instance& instance, const SurfacePoint& local) {
     const double clearance =
         abs(local.normal).dot(local.error + residual + roundings) / across.dot(p.normal);
     p.error = clearance * abs(p.normal);  // its product with the normal is the clearance
-    p.convexity = Convexity::any;         // rays do not exclude primitives of an instance
+    if (p.convexity != Convexity::flat) p.convexity = Convexity::any;
     return p;
 }
 
@@ -94,9 +94,8 @@ double first_hit(const Geometry& geometry, HitKey key, const Ray& ray) {
     const Geometry& holder = geometry.holder(instance);
     const RayQuery query(ray);
     if (instance == no_index) return primitive_first_hit(holder, primitive, query);
-    return primitive_first_hit(
-        holder, primitive,
-        RayQuery(to_object(*InstanceAt(geometry, instance, ray.time()), query.ray)));
+    const InstanceAt at(geometry, instance, ray.time());
+    return primitive_first_hit(holder, primitive, RayQuery(to_object(*at, instance, query.ray)));
 }
 
 }  // namespace etalon

@@ -42,14 +42,16 @@ inline Vec3 to_object(const Instance& instance, const Vec3& point) {
     return vector_to_object(instance, point - instance.origin);
 }
 
-/// Transforms a ray from world to object space. This defines what a ray hits of an instance: what
-/// the returned ray hits of the object. Its direction is not normalized, so that t is the same in
-/// both spaces. It excludes no primitive.
-inline Ray to_object(const Instance& instance, const Ray& ray) {
-    Ray local{to_object(instance, ray.origin), vector_to_object(instance, ray.direction), ray.tmin,
-              ray.tmax};
-    local.traits_and_time = ray.traits_and_time;
-    return local;
+/// Transforms a ray from world to the object space of an instance of that number. This defines what
+/// a ray hits of an instance: what the returned ray hits of the object. Its direction is not
+/// normalized, so that t is the same in both spaces.
+inline Ray to_object(const Instance& instance, std::uint32_t number, const Ray& ray) {
+    return {to_object(instance, ray.origin),
+            vector_to_object(instance, ray.direction),
+            ray.tmin,
+            ray.tmax,
+            ray.excluded(number),
+            ray.traits_and_time};
 }
 
 /// Transforms a normal from object to world space; its length changes.

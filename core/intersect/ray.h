@@ -8,17 +8,37 @@
 
 namespace etalon {
 
+/// Number of a primitive, of the scene or of an instance. Of equally near hits the lowest key wins.
+using HitKey = std::uint64_t;
+
+inline HitKey key_of(std::uint32_t primitive, std::uint32_t instance) {
+    return static_cast<HitKey>(instance + 1) << 32 | primitive;  // no_index + 1 is 0
+}
+
+/// Returns the key by which a ray excludes a primitive, of the scene or of an instance; no_index
+/// for instances of so high a number that a double, in columns of rays, could not hold it.
+inline HitKey exclusion_of(std::uint32_t primitive, std::uint32_t instance) {
+    const HitKey key = key_of(primitive, instance);
+    return key < HitKey{1} << 53 ? key : no_index;
+}
+
 /// The points origin + t * direction with tmin < t <= tmax and t >= 0. The direction need not be a
 /// unit vector: t is in units of its length.
 struct Ray {
     Vec3 origin, direction;
     double tmin = 0;
     double tmax = infinity;
-    /// Number of a primitive that the ray has just left and cannot hit again, and which need not be
-    /// tested; no_index if there is none.
-    std::uint32_t exclude = no_index;
+    /// exclusion_of() a primitive that the ray has just left and cannot hit again, and which need
+    /// not be tested; no_index if there is none.
+    HitKey exclude = no_index;
     /// Bits of coherent(), is_shadow() and time(), in one word that is copied by one instruction.
     std::uint32_t traits_and_time = 0;
+
+    /// Returns the excluded primitive of an instance, or of the scene; no_index if it is of
+    /// another.
+    std::uint32_t excluded(std::uint32_t instance = no_index) const {
+        return exclude >> 32 == instance + 1 ? static_cast<std::uint32_t>(exclude) : no_index;
+    }
 
     /// Returns a hint, which changes no hit: whether the rays that the same thread traced just
     /// before took nearly the same path through the scene.
@@ -40,7 +60,7 @@ struct Ray {
     static constexpr int time_shift = 32 - shutter_time_bits;
 };
 
-static_assert(sizeof(Ray) == 72);
+static_assert(sizeof(Ray) == 80);
 
 /// Returns whether a ray can hit anything at all.
 inline bool is_valid(const Ray& ray) {
@@ -54,13 +74,6 @@ struct Hit {
         primitive;  ///< number among the primitives of the geometry, or of the instance's object
     std::uint32_t instance = no_index;  ///< number among the geometry's; no_index if none was hit
 };
-
-/// Number of a primitive, of the scene or of an instance. Of equally near hits the lowest key wins.
-using HitKey = std::uint64_t;
-
-inline HitKey key_of(std::uint32_t primitive, std::uint32_t instance) {
-    return static_cast<HitKey>(instance + 1) << 32 | primitive;  // no_index + 1 is 0
-}
 
 /// A ray with what every triangle and polygon test needs, computed once: the axes permuted so that
 /// z is the direction's dominant one (Woop, Benthin & Wald 2013, JCGT 2(1)).

@@ -41,7 +41,7 @@ class RayPacket {
         own_origins_.set(i, ray.origin);
         own_directions_.set(i, direction);
         own_tmins_[i] = std::max(ray.tmin, 0.0);
-        own_excludes_[i] = ray.exclude;
+        own_excludes_[i] = static_cast<double>(ray.exclude);
         ts[i] = ray.tmax;
         primitives[i] = none;
         numbers[i] = static_cast<std::uint32_t>(number);
@@ -54,7 +54,7 @@ class RayPacket {
         set(first, columns);
         for (std::size_t i = 0; i < count; ++i) {
             own_tmins_[i] = std::max(columns.tmins[i], 0.0);
-            own_excludes_[i] = all[i].exclude;
+            own_excludes_[i] = static_cast<double>(all[i].exclude);
             traits_and_times[i] = all[i].traits_and_time;
         }
         tmins = own_tmins_.data();
@@ -87,7 +87,7 @@ class RayPacket {
     /// Returns a ray with its tmax at its nearest hit.
     Ray ray(std::size_t i) const {
         Ray ray{origins[i], directions[i], tmins[i], ts[i]};
-        ray.exclude = static_cast<std::uint32_t>(excludes[i]);
+        ray.exclude = static_cast<HitKey>(excludes[i]);
         ray.traits_and_time = traits_and_times[i];
         return ray;
     }

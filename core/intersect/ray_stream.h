@@ -13,7 +13,7 @@ struct RayStream {
     Ray operator[](std::size_t i) const {
         Ray ray{origins[i], directions[i]};
         ray.tmax = tmax;
-        ray.exclude = static_cast<std::uint32_t>(excludes[i]);
+        ray.exclude = static_cast<HitKey>(excludes[i]);
         ray.traits_and_time = traits_and_time(i);
         return ray;
     }
@@ -53,7 +53,7 @@ struct RayBuffer {
     void set(std::size_t i, const Ray& ray) {
         origins.set(i, ray.origin);
         directions.set(i, ray.direction);
-        excludes[i] = ray.exclude;
+        excludes[i] = static_cast<double>(ray.exclude);
     }
 
     /// Returns a view of the first `count` rays.

@@ -56,7 +56,7 @@ inline Ray spawn_ray(const SurfacePoint& p, const Vec3& direction) {
     const bool outward = p.normal.dot(direction) > 0;
     const bool for_good =
         p.convexity == Convexity::flat || (p.convexity == Convexity::convex && outward);
-    const std::uint32_t exclude = for_good ? p.primitive : no_index;
+    const HitKey exclude = for_good ? exclusion_of(p.primitive, p.instance) : no_index;
     return {spawn_origin(p, direction), direction, 0, infinity, exclude, p.time << Ray::time_shift};
 }
 
@@ -66,10 +66,11 @@ inline Ray spawn_ray(const SurfacePoint& p, const Vec3& direction) {
 inline Ray ray_beyond(const Ray& ray, const Hit& hit, Convexity convexity) {
     Ray rest = ray;
     const double before = std::nextafter(hit.t, 0.0);
-    const bool is_in_order = ray.tmin != before || ray.exclude < hit.primitive;
+    const HitKey key = exclusion_of(hit.primitive, hit.instance);
+    const bool is_in_order = key != no_index && (ray.tmin != before || ray.exclude < key);
     if (convexity == Convexity::flat && is_in_order) {
         rest.tmin = before;
-        rest.exclude = hit.primitive;
+        rest.exclude = key;
     } else {
         // A backend of single precision may find the same hit again.
         rest.tmin = hit.t > ray.tmin ? hit.t : ray.tmin * (1 + 0x1p-20);

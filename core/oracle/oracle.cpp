@@ -160,12 +160,15 @@ std::vector<Oracle::Candidate> Oracle::candidates(const Ray& ray) const {
 }
 
 /// Adds hits on the primitives of an instance, whose object this is, or on all primitives. Holes
-/// are decided by the kernels' function.
+/// are decided by the kernels' function. What a ray excludes of the scene is tested all the same,
+/// since it should miss it; of an instance, the roundings of its way into the object might decide.
 void Oracle::add_hits(const Ray& ray, double tie, std::uint32_t instance, FoundHits& hits) const {
     if (!is_valid(ray)) return;
     const RayQuery query(ray);
+    const std::uint32_t left = instance == no_index ? no_index : ray.excluded();
     for (const Candidate& candidate : candidates(ray)) {
         if (hits.nearest && Quad(candidate.entry) > hits.nearest->t.value) break;
+        if (candidate.primitive == left) continue;
         const Sides sides = geometry_.primitives[candidate.primitive].sides;
         for (const Crossing& c : crossings(geometry_, candidate.primitive, ray)) {
             const Certainty exists = c.exists & is_visible(c, sides) & is_within(c, ray, tie);
@@ -191,7 +194,7 @@ OracleAnswer Oracle::closest(const Ray& ray, double tie) const {
     const Ray meant = RayQuery(ray).ray;
     for (std::uint32_t i = 0; i < geometry_.instances.size(); ++i) {
         const InstanceAt instance(geometry_, i, meant.time());
-        objects_[instance->object].add_hits(to_object(*instance, meant), tie, i, hits);
+        objects_[instance->object].add_hits(to_object(*instance, i, meant), tie, i, hits);
     }
     return answer_from(hits, tie);
 }

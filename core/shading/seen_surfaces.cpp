@@ -112,7 +112,9 @@ void SeenSurfaces::add(const SurfaceInteraction& at, const Vec3& direction, std:
 /// Adds the entries that are equal for all surfaces on one primitive.
 void SeenSurfaces::add_traits(const SurfaceInteraction& any,
                               std::span<const std::uint32_t> numbers) {
-    const double primitive = any.surface.primitive, none = no_index;
+    const auto left =
+        static_cast<double>(exclusion_of(any.surface.primitive, any.surface.instance));
+    const double none = no_index;
     const Convexity convexity = any.surface.convexity;
     const bool is_flat = convexity == Convexity::flat;
     const std::size_t begin = size();
@@ -121,8 +123,8 @@ void SeenSurfaces::add_traits(const SurfaceInteraction& any,
     };
     fill(scatters, etalon::scatters(any.material));
     fill(sends_on, etalon::sends_on(any.material));
-    fill(outward_excludes, is_flat || convexity == Convexity::convex ? primitive : none);
-    fill(inward_excludes, is_flat ? primitive : none);
+    fill(outward_excludes, is_flat || convexity == Convexity::convex ? left : none);
+    fill(inward_excludes, is_flat ? left : none);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         traits[begin + i] = {numbers[i], any.material};
     }

@@ -40,8 +40,9 @@ class EnteredInstances {
     }
 
   private:
+    std::uint32_t number(std::uint32_t item) const { return bvh_.geometry.instance_number(item); }
     const Instance& instance(std::uint32_t item) const {
-        return bvh_.geometry.instances[bvh_.geometry.instance_number(item)];
+        return bvh_.geometry.instances[number(item)];
     }
 
     HWY_INLINE void offer_item(std::uint32_t item, const RayQuery& query,
@@ -58,7 +59,9 @@ class EnteredInstances {
         if (HWY_UNLIKELY(entry == ObjectEntry::slow_path)) {
             return bvh_.instances.offer_instance(item, query, nearest);
         }
-        enter(object.view, ray, local, query.ray, item, nearest);
+        NearestHit inside(nearest.t);
+        enter(object.view, ray, local, query.ray, number(item), inside);
+        if (inside.found()) nearest.offer(inside.t, item, inside.item);
     }
 
     HWY_INLINE bool occludes(std::uint32_t item, const RayQuery& query) const {
@@ -74,32 +77,34 @@ class EnteredInstances {
         if (HWY_UNLIKELY(entry == ObjectEntry::slow_path)) {
             return bvh_.instances.instance_occludes(item, query);
         }
-        return is_met(object.view, ray, local, query.ray);
+        return is_met(object.view, ray, local, query.ray, number(item));
     }
 
     static HWY_NOINLINE void enter(const BvhView& object, const ObjectRay& ray,
-                                   const NormalizedRay& local, const Ray& world, std::uint32_t item,
-                                   NearestHit& nearest) {
+                                   const NormalizedRay& local, const Ray& world,
+                                   std::uint32_t instance, NearestHit& nearest) {
         const float tmin = local.tmin(world.tmin);
         const Slabs boxes(local, tmin);
-        NearestHit inside(nearest.t);
-        const auto make_query = [&]() HWY_ATTR { return RayQuery(ray.ray(world, nearest.t)); };
+        const double tmax = nearest.t;
+        const auto make_query = [&]() HWY_ATTR { return RayQuery(ray.ray(world, tmax, instance)); };
         const AnyInstances none(object);
         if (object.predicts_branches(world)) {
-            find_closest<BranchingLaneSelect>(object, make_query, local, tmin, boxes, none, inside,
+            find_closest<BranchingLaneSelect>(object, make_query, local, tmin, boxes, none, nearest,
                                               Uncounted());
         } else {
-            find_closest<BranchlessLaneSelect>(object, make_query, local, tmin, boxes, none, inside,
-                                               Uncounted());
+            find_closest<BranchlessLaneSelect>(object, make_query, local, tmin, boxes, none,
+                                               nearest, Uncounted());
         }
-        if (inside.found()) nearest.offer(inside.t, item, inside.item);
     }
 
     static HWY_NOINLINE bool is_met(const BvhView& object, const ObjectRay& ray,
-                                    const NormalizedRay& local, const Ray& world) {
+                                    const NormalizedRay& local, const Ray& world,
+                                    std::uint32_t instance) {
         const float tmin = local.tmin(world.tmin);
         const Slabs boxes(local, tmin);
-        const auto make_query = [&]() HWY_ATTR { return RayQuery(ray.ray(world, world.tmax)); };
+        const auto make_query = [&]() HWY_ATTR {
+            return RayQuery(ray.ray(world, world.tmax, instance));
+        };
         const AnyInstances none(object);
         return object.predicts_branches(world)
                    ? find_any<BranchingLaneSelect>(object, make_query, world.tmax, local, tmin,

@@ -107,7 +107,7 @@ Expected expected_hit(const Geometry& whole, const Chessboards& boards, const Ra
         const Primitive p = holder.primitives[primitive];
         if (p.sides == Sides::cut_out) {
             const Ray local =
-                instance == no_index ? ray : to_object(whole.instances[instance], ray);
+                instance == no_index ? ray : to_object(whole.instances[instance], instance, ray);
             SurfacePoint point{};
             point.position = local.origin + t * local.direction;
             point.material = p.material;

@@ -1,6 +1,7 @@
 // Instances: every exact backend finds the hits that the kernels find for rays transformed to
 // object space.
 #include "bench/hard_cases/hard_case.h"
+#include "core/intersect/kernels.h"
 #include "core/intersect/placement.h"
 #include "core/numerics/transforms.h"
 #include "core/scene/transformed.h"
@@ -80,6 +81,58 @@ TEST_CASE("Given instances, exact backends find what the kernels find", "[instan
             CHECK(count_wrong(backend, geometry, rays, expected) == 0);
         }
     });
+}
+
+TEST_CASE("Given rays that say what they left of an instance, they hit what others hit",
+          "[instances]") {
+    std::size_t excluding = 0;
+    for_each_case([&](const hard::CaseSetup& setup) {
+        const Geometry& geometry = setup.scene.geometry;
+        Random random(10);
+        std::vector<Ray> rays;
+        std::vector<Hit> expected;
+        for (const Ray& ray : rays_of(setup, 400)) {
+            const Hit hit = all_tested(geometry, ray);
+            if (hit.primitive == no_index) continue;
+            Ray leaving = spawn_ray(surface_at(geometry, ray, hit), random.direction());
+            rays.push_back(leaving);
+            excluding += leaving.exclude != no_index;
+            leaving.exclude = no_index;
+            expected.push_back(all_tested(geometry, leaving));
+        }
+        for (const Backend& backend : exact_backends()) {
+            INFO("backend " << backend.name);
+            CHECK(count_wrong(backend, geometry, rays, expected) == 0);
+        }
+    });
+    CHECK(excluding > 1000);
+}
+
+TEST_CASE("Given a ray that excludes a primitive of an instance, it hits that of the next",
+          "[instances]") {
+    Geometry geometry;
+    for (const double size : {1.0, 2.0}) {
+        Geometry& object = geometry.objects.emplace_back();
+        object.vertices = {{-size, -size, 0}, {size, -size, 0}, {0, size, 0}};
+        object.add(Triangle{{0, 1, 2}}, 0);
+    }
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        geometry.instances.emplace_back(Affine{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, double(i)}},
+                                        i % 2);
+    }
+    for (const Backend& backend : exact_backends()) {
+        INFO("backend " << backend.name);
+        const auto intersector = backend.build(geometry);
+        for (std::uint32_t i = 0; i < 6; ++i) {
+            Ray ray{{0, 0, i - 0.5}, {0, 0, 1}};
+            CHECK(intersector->closest(ray)->instance == i);
+            ray.exclude = key_of(0, i);
+            const auto hit = intersector->closest(ray);
+            CHECK(hit.has_value() == (i < 5));
+            if (hit) CHECK(hit->instance == i + 1);
+            CHECK(intersector->occluded(ray) == (i < 5));
+        }
+    }
 }
 
 TEST_CASE("Given instances in a scene scaled by a power of two, hits are the same", "[instances]") {

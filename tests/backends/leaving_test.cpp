@@ -61,4 +61,12 @@ TEST_CASE(
     CHECK(spawn_ray(p, inward).exclude == no_index);
     p.convexity = Convexity::any;
     CHECK(spawn_ray(p, outward).exclude == no_index);
+    p.convexity = Convexity::flat;
+    p.instance = 3;
+    CHECK(spawn_ray(p, outward).exclude == key_of(7, 3));
+    CHECK(spawn_ray(p, outward).excluded(3) == 7);
+    CHECK(spawn_ray(p, outward).excluded(4) == no_index);
+    CHECK(spawn_ray(p, outward).excluded() == no_index);
+    p.instance = 1 << 21;
+    CHECK(spawn_ray(p, outward).exclude == no_index);
 }

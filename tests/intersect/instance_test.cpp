@@ -65,7 +65,7 @@ TEST_CASE("Instance: given a map, then points and directions are taken back by i
         const Affine map = random_map(random, condition);
         const Instance instance(map, 0);
         const Vec3 local = random.in_cube(), direction = random.direction();
-        const Ray ray = to_object(instance, Ray{map.point(local), map.vector(direction), 1, 2});
+        const Ray ray = to_object(instance, 0, Ray{map.point(local), map.vector(direction), 1, 2});
         const double tolerance = 64 * condition * unit_roundoff;
         CAPTURE(i, condition);
         REQUIRE(max_abs(ray.origin - local) < tolerance);
@@ -93,8 +93,8 @@ TEST_CASE("Instance: given a scale by a power of two, then hits have the same bi
         const double k = 0x1p-13;
         const Affine smaller{k * map.x, k * map.y, k * map.z, k * map.origin};
         const Ray nearer{k * ray.origin, k * ray.direction};
-        const Ray a = to_object(Instance(map, 0), ray);
-        const Ray b = to_object(Instance(smaller, 0), nearer);
+        const Ray a = to_object(Instance(map, 0), 0, ray);
+        const Ray b = to_object(Instance(smaller, 0), 0, nearer);
         REQUIRE((a.origin == b.origin && a.direction == b.direction));
     }
 }

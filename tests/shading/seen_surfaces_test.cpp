@@ -32,7 +32,7 @@ Hit nearest(const Geometry& geometry, const Ray& ray) {
 
 void check_surface(const SeenSurfaces& seen, std::size_t i, const SurfaceInteraction& at,
                    const Ray& ray) {
-    const std::uint32_t primitive = at.surface.primitive;
+    const auto left = static_cast<double>(exclusion_of(at.surface.primitive, at.surface.instance));
     const bool is_flat = at.surface.convexity == Convexity::flat;
     const bool is_convex = at.surface.convexity == Convexity::convex;
     CHECK(seen.directions[i] == ray.direction);
@@ -42,8 +42,8 @@ void check_surface(const SeenSurfaces& seen, std::size_t i, const SurfaceInterac
     CHECK(seen.shading_normals[i] == at.ns);
     CHECK(seen.entering(i) == at.entering);
     CHECK(seen.traits[i].material == at.material);
-    CHECK(seen.outward_excludes[i] == (is_flat || is_convex ? primitive : no_index));
-    CHECK(seen.inward_excludes[i] == (is_flat ? primitive : no_index));
+    CHECK(seen.outward_excludes[i] == (is_flat || is_convex ? left : no_index));
+    CHECK(seen.inward_excludes[i] == (is_flat ? left : no_index));
     CHECK(seen.scatters[i] == at.surface.material);
     CHECK(seen.sends_on[i] == 2 * at.surface.material);
 }

@@ -24,7 +24,7 @@ class ClusterFilter {
     HWY_INLINE ClusterFilter(const Clusters& clusters, const RayQuery& query,
                              const NormalizedRay& ray, float tmin)
         : triangles_(query, ray) {
-        if (clusters.has_spheres()) new (&spheres_) SphereFilter(ray, tmin, query.ray.exclude);
+        if (clusters.has_spheres()) new (&spheres_) SphereFilter(ray, tmin, query.ray.excluded());
     }
 
     /// Returns the lanes, lowest first, that the ray could hit at tmin < t <= tmax in normalized

@@ -18,7 +18,7 @@ namespace etalon::HWY_NAMESPACE {
 class TriangleFilter {
   public:
     HWY_INLINE TriangleFilter(const RayQuery& query, const NormalizedRay& ray)
-        : kx_(query.kx), ky_(query.ky), kz_(query.kz), exclude_(query.ray.exclude) {
+        : kx_(query.kx), ky_(query.ky), kz_(query.kz), exclude_(query.ray.excluded()) {
         const float dz = ray.direction[kz_];
         slope_x_ = broadcast(ray.direction[kx_] / dz);
         slope_y_ = broadcast(ray.direction[ky_] / dz);
