@@ -72,14 +72,14 @@ class TreeWriter {
 
 }  // namespace
 
-LinkedTree::LinkedTree(const BvhTree& whole, std::size_t most)
-    : whole_(whole), heights_(heights_of(whole)) {
+LinkedTree::LinkedTree(const BvhTree& whole, std::size_t most) : whole_(whole) {
+    const std::vector<int> heights = heights_of(whole);
     using Sized = std::pair<float, Index>;
     std::priority_queue<Sized> largest;
     const auto add = [&](Index source, Index parent) {
         const BvhNode& node = whole.nodes[source];
         const auto index = static_cast<Index>(nodes_.size());
-        nodes_.push_back({bounds_of(node), parent, {none, none}, source, heights_[source]});
+        nodes_.push_back({bounds_of(node), parent, {none, none}, source, heights[source]});
         if (!node.is_leaf()) largest.emplace(half_area(node.box), index);
         return index;
     };

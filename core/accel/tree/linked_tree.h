@@ -25,8 +25,8 @@ class LinkedTree {
         int height = 0;    ///< levels below it in the whole tree
     };
 
-    /// Takes the nodes of largest surface area, at least two and up to `most`. The tree must have
-    /// at least two leaves and exist as long as this.
+    /// Takes the root and up to `most` nodes in all, those of largest surface area. The tree must
+    /// not be empty, and exist as long as this.
     LinkedTree(const BvhTree& whole, std::size_t most);
 
     const std::vector<Node>& nodes() const { return nodes_; }
@@ -56,8 +56,7 @@ class LinkedTree {
     void update_upward(Index node);
 
     const BvhTree& whole_;
-    std::vector<int> heights_;  ///< of all nodes of the whole tree
-    std::vector<Node> nodes_;   ///< the root first
+    std::vector<Node> nodes_;  ///< the root first
 };
 
 /// Returns the smallest box that contains both.
