@@ -7,17 +7,6 @@
 namespace etalon {
 namespace {
 
-/// Stores each leaf's number in its `first`, and returns the primitives of each leaf.
-std::vector<Range> number_leaves(BvhTree& tree) {
-    std::vector<Range> ranges;
-    for (BvhNode& node : tree.nodes) {
-        if (!node.is_leaf()) continue;
-        ranges.push_back({node.first, node.count});
-        node.first = static_cast<std::uint32_t>(ranges.size() - 1);
-    }
-    return ranges;
-}
-
 const InstancePadding& padding_for(const Geometry& geometry) {
     return geometry.instances.empty() ? full_padding : least_padding;
 }

@@ -8,7 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "native_accel/bvh/fine_slabs-inl.h"
+#include "core/accel/wide/fine_slabs-inl.h"
 #include "native_accel/bvh/object_entry-inl.h"
 #include "native_accel/bvh/queries-inl.h"
 

@@ -11,11 +11,11 @@
 
 #include "core/accel/clusters/filter-inl.h"
 #include "core/accel/clusters/instance_list.h"
-#include "native_accel/bvh/lane_select.h"
-#include "native_accel/bvh/pairwise-inl.h"
-#include "native_accel/bvh/traversal-inl.h"
+#include "core/accel/wide/lane_select.h"
+#include "core/accel/wide/pairwise-inl.h"
+#include "core/accel/wide/traversal-inl.h"
+#include "core/accel/wide/traversal_counters.h"
 #include "native_accel/bvh/traversal.h"
-#include "native_accel/common/traversal_counters.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {

@@ -2,11 +2,11 @@
 // is used.
 #pragma once
 
+#include "core/accel/wide/wide_tree.h"
 #include "core/intersect/intersector.h"
 #include "core/intersect/object_space.h"
 #include "core/intersect/ray.h"
 #include "core/intersect/traversal_cost.h"
-#include "native_accel/bvh/wide_tree.h"
 
 namespace etalon {
 

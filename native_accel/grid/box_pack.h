@@ -1,6 +1,6 @@
 #pragma once
 
-#include "native_accel/common/wide_node.h"
+#include "core/accel/wide/wide_node.h"
 #include "native_accel/grid/cost.h"
 #include "native_accel/grid/overlap.h"
 

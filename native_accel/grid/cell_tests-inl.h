@@ -11,7 +11,7 @@
 #include <span>
 
 #include "core/accel/clusters/filter-inl.h"
-#include "native_accel/common/slabs-inl.h"
+#include "core/accel/wide/slabs-inl.h"
 #include "native_accel/grid/cluster_grid.h"
 #include "native_accel/grid/sphere_pack_filter-inl.h"
 

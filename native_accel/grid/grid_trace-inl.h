@@ -7,7 +7,7 @@
 #endif
 
 #include "core/accel/clusters/instance_list.h"
-#include "native_accel/common/traversal_counters.h"
+#include "core/accel/wide/traversal_counters.h"
 #include "native_accel/grid/cell_tests-inl.h"
 #include "native_accel/grid/grid_trace.h"
 #include "native_accel/grid/visit-inl.h"

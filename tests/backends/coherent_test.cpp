@@ -1,6 +1,6 @@
 // Rays marked as coherent are traversed by other code, which must find the same hits.
-#include "native_accel/bvh/lane_select.h"
-#include "native_accel/bvh/wide_tree.h"
+#include "core/accel/wide/lane_select.h"
+#include "core/accel/wide/wide_tree.h"
 #include "tests/backends/scenes.h"
 #include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"

@@ -1,14 +1,14 @@
 // Traversal from node to node of the tree. Compiled for each instruction set.
-#if defined(ETALON_BVH_TRAVERSAL_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef ETALON_BVH_TRAVERSAL_INL_H
-#undef ETALON_BVH_TRAVERSAL_INL_H
+#if defined(ETALON_TRAVERSAL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ETALON_TRAVERSAL_INL_H
+#undef ETALON_TRAVERSAL_INL_H
 #else
-#define ETALON_BVH_TRAVERSAL_INL_H
+#define ETALON_TRAVERSAL_INL_H
 #endif
 
-#include "native_accel/bvh/stack.h"
-#include "native_accel/bvh/wide_tree.h"
-#include "native_accel/common/slabs-inl.h"
+#include "core/accel/wide/slabs-inl.h"
+#include "core/accel/wide/stack.h"
+#include "core/accel/wide/wide_tree.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {

@@ -1,10 +1,10 @@
-#include "native_accel/bvh/wide_tree.h"
+#include "core/accel/wide/wide_tree.h"
 
 #include <algorithm>
 #include <numeric>
 
+#include "core/accel/wide/collapse.h"
 #include "core/parallel/parallel.h"
-#include "native_accel/bvh/collapse.h"
 
 namespace etalon {
 namespace {
@@ -97,6 +97,16 @@ class Widener {
 };
 
 }  // namespace
+
+std::vector<Range> number_leaves(BvhTree& tree) {
+    std::vector<Range> ranges;
+    for (BvhNode& node : tree.nodes) {
+        if (!node.is_leaf()) continue;
+        ranges.push_back({node.first, node.count});
+        node.first = static_cast<std::uint32_t>(ranges.size() - 1);
+    }
+    return ranges;
+}
 
 WideTree widen(const std::vector<BvhNode>& nodes, const std::vector<ClusterRef>& leaves) {
     WideTree tree;

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/accel/tree/builder.h"
-#include "native_accel/common/wide_node.h"
+#include "core/accel/wide/wide_node.h"
 
 namespace etalon {
 

@@ -1,4 +1,4 @@
-#include "native_accel/bvh/collapse.h"
+#include "core/accel/wide/collapse.h"
 
 #include <limits>
 

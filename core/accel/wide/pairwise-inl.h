@@ -1,16 +1,16 @@
 // Traversal of two nodes at a time, for occlusion queries. Compiled for each instruction set.
-#if defined(ETALON_BVH_PAIRWISE_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef ETALON_BVH_PAIRWISE_INL_H
-#undef ETALON_BVH_PAIRWISE_INL_H
+#if defined(ETALON_PAIRWISE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ETALON_PAIRWISE_INL_H
+#undef ETALON_PAIRWISE_INL_H
 #else
-#define ETALON_BVH_PAIRWISE_INL_H
+#define ETALON_PAIRWISE_INL_H
 #endif
 
 #include <bit>
 
 #include "core/accel/tree/builder.h"
-#include "native_accel/bvh/wide_tree.h"
-#include "native_accel/common/slabs-inl.h"
+#include "core/accel/wide/slabs-inl.h"
+#include "core/accel/wide/wide_tree.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {

@@ -7,8 +7,8 @@
 #define ETALON_FINE_SLABS_INL_H
 #endif
 
+#include "core/accel/wide/slabs-inl.h"
 #include "core/intersect/normalized_ray.h"
-#include "native_accel/common/slabs-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {

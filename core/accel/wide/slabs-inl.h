@@ -7,7 +7,7 @@
 #endif
 
 #include "core/accel/clusters/lanes-inl.h"
-#include "native_accel/common/wide_node.h"
+#include "core/accel/wide/wide_node.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "native_accel/bvh/wide_tree.h"
+#include "core/accel/wide/wide_tree.h"
 
 namespace etalon {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/accel/tree/node.h"
-#include "native_accel/common/wide_node.h"
+#include "core/accel/tree/builder.h"
+#include "core/accel/wide/wide_node.h"
 
 namespace etalon {
 
@@ -17,6 +17,10 @@ struct WideTree {
     /// areas.
     double expected_nodes = 1;
 };
+
+/// Stores each leaf's number in its `first`, as widen() expects, and returns the primitives of each
+/// leaf.
+std::vector<Range> number_leaves(BvhTree& tree);
 
 /// Collapses a binary tree into nodes of up to eight children. The `first` of a binary leaf is its
 /// index in `leaves`. The tree, in the order of BvhTree, must not be empty. Uses as many threads as
