@@ -107,7 +107,7 @@ EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal,
     }
     attach_shapes(std::move(by_type));
     for (const auto& [item, map] : instances) attach_instance(item, map);
-    others_.build(*device_, embree_scene_.get(), 0, scene_bounds().space, std::move(others));
+    others_.build(*device_, embree_scene_.get(), scene_bounds().space, std::move(others));
 }
 
 const EmbreeBuiltin& EmbreeBuiltin::object_of(const Instance& instance) const {

@@ -1,4 +1,4 @@
-// Callbacks for instances and nested scenes. Compiled for each instruction set.
+// Callbacks for instances and trees of them. Compiled for each instruction set.
 #if defined(ETALON_INSTANCE_CALLBACKS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_INSTANCE_CALLBACKS_INL_H
 #undef ETALON_INSTANCE_CALLBACKS_INL_H
@@ -8,121 +8,32 @@
 
 #include <limits>
 
-#include "core/intersect/object_ray-inl.h"
-#include "embree_backend/user_query-inl.h"
+#include "embree_backend/instance_tree-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-#if HWY_MAX_BYTES >= 32
-
-/// Offers `nearest` what a ray that enters an object hits of it. `local` is `ray` in its space.
-HWY_INLINE void offer_entered(const UserQuery& query, std::uint32_t item, const Instance& instance,
-                              const ObjectRay& ray, const NormalizedRay& local,
-                              NearestHit& nearest) {
-    const RayQuery inside(
-        ray.ray(query.query.ray, nearest.t, query.view.geometry.instance_number(item)));
-    if (HWY_UNLIKELY(query.view.entered == nullptr)) {
-        return query.view.instances.offer_entered(item, inside, local, nearest);
-    }
-    RTCRayHit entered;
-    set_ray(entered.ray, local, local.tmin(inside.ray.tmin), local.tmax(nearest.t));
-    NearestHit hit(nearest.t);
-    intersect(query.view.entered[instance.object], inside, local, hit, entered);
-    if (hit.found()) nearest.offer(hit.t, item, hit.item);
-}
-
-HWY_INLINE bool entered_occludes(const UserQuery& query, std::uint32_t item,
-                                 const Instance& instance, const ObjectRay& ray,
-                                 const NormalizedRay& local) {
-    const RayQuery inside(
-        ray.ray(query.query.ray, query.query.ray.tmax, query.view.geometry.instance_number(item)));
-    if (HWY_UNLIKELY(query.view.entered == nullptr)) {
-        return query.view.instances.entered_occludes(item, inside, local);
-    }
-    RTCRay entered;
-    if (!set_occlusion_ray(entered, local, local.tmin(inside.ray.tmin),
-                           local.tmax(inside.ray.tmax))) {
-        return false;
-    }
-    occluded(query.view.entered[instance.object], inside, local, entered);
-    return entered.tfar < 0;
-}
-
-/// Offers `nearest` an instance: most objects that a ray is taken to are passed.
-HWY_INLINE void offer_instance(const UserQuery& query, std::uint32_t item, NearestHit& nearest) {
-    const Instance& instance =
-        query.view.geometry.instances[query.view.geometry.instance_number(item)];
-    if (HWY_UNLIKELY(instance.moves())) {
-        return query.view.instances.offer_instance(item, query.query, nearest);
-    }
-    const ObjectRay ray(instance, WorldRayLanes(query.query.ray));
-    NormalizedRay local;
-    const ObjectEntry entry = ray.entry(query.view.objects[instance.object], local);
-    if (entry == ObjectEntry::misses) return;
-    if (HWY_UNLIKELY(entry == ObjectEntry::slow_path)) {
-        return query.view.instances.offer_instance(item, query.query, nearest);
-    }
-    offer_entered(query, item, instance, ray, local, nearest);
-}
-
-HWY_INLINE bool instance_occludes(const UserQuery& query, std::uint32_t item) {
-    const Instance& instance =
-        query.view.geometry.instances[query.view.geometry.instance_number(item)];
-    if (HWY_UNLIKELY(instance.moves())) {
-        return query.view.instances.instance_occludes(item, query.query);
-    }
-    const ObjectRay ray(instance, WorldRayLanes(query.query.ray));
-    NormalizedRay local;
-    const ObjectEntry entry = ray.entry(query.view.objects[instance.object], local);
-    if (entry == ObjectEntry::misses) return false;
-    if (HWY_UNLIKELY(entry == ObjectEntry::slow_path)) {
-        return query.view.instances.instance_occludes(item, query.query);
-    }
-    return entered_occludes(query, item, instance, ray, local);
-}
-
-#else
-
-HWY_INLINE void offer_instance(const UserQuery& query, std::uint32_t item, NearestHit& nearest) {
-    query.view.instances.offer_instance(item, query.query, nearest);
-}
-
-HWY_INLINE bool instance_occludes(const UserQuery& query, std::uint32_t item) {
-    return query.view.instances.instance_occludes(item, query.query);
-}
-
-#endif
-
-/// Intersects an instance or a nested scene. A hit at t may lie behind one
-/// that is not in `nearest`: see intersect_candidates.
+/// Intersects an instance, or an instance tree that has not been visited.
 inline HWY_NOINLINE void intersect_instance(const RTCIntersectFunctionNArguments* arguments,
                                             std::uint32_t item) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
     auto& [ray, hit] = single<RTCRayHit>(arguments->rayhit);
     NearestHit nearest = *query.nearest;
-    if (const NestedScene* nested = query.nested(item)) {
-        nested->offer(query.query, nearest);
-    } else {
+    if (!query.is_tree(item)) {
         offer_instance(query, item, nearest);
+    } else if (item != query.visited_tree) {
+        offer_tree(query, query.tree(item), nearest);
     }
-    const bool beats = nearest.t < query.nearest->t || nearest.item != query.nearest->item;
-    const float tfar = beats ? query.local.tmax(nearest.t) : 0;
-    const bool found = beats && !(tfar > ray.tfar);
-    if (found) {
-        *query.nearest = nearest;
-        ray.tfar = tfar;
-        hit.geomID = arguments->geomID;
-    }
+    const bool found = query.take_over(nearest, ray);
+    if (found) hit.geomID = arguments->geomID;
     report(*arguments, found);
 }
 
 inline HWY_NOINLINE void occluded_by_instance(const RTCOccludedFunctionNArguments* arguments,
                                               std::uint32_t item) {
     const auto& query = *static_cast<const UserQuery*>(arguments->context);
-    const NestedScene* nested = query.nested(item);
-    const bool found =
-        nested != nullptr ? nested->occludes(query.query) : instance_occludes(query, item);
+    const bool found = query.is_tree(item) ? tree_occludes(query, query.tree(item))
+                                           : instance_occludes(query, item);
     if (found) single<RTCRay>(arguments->ray).tfar = -std::numeric_limits<float>::infinity();
     report(*arguments, found);
 }

@@ -14,7 +14,7 @@ EmbreeUserGeometry::EmbreeUserGeometry(const Geometry& geometry, const SceneDevi
     for (std::uint32_t i = 0; i < geometry.objects.size(); ++i) {
         objects_.push_back(static_cast<const EmbreeUserGeometry&>(object(i)).primitives_.view());
     }
-    primitives_.build(*device_, embree_scene_.get(), 0, scene_bounds().space, take_bounded());
+    primitives_.build(*device_, embree_scene_.get(), scene_bounds().space, take_bounded());
 }
 
 std::size_t EmbreeUserGeometry::own_bytes() const {

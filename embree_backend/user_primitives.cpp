@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/accel/tree/scene_tree.h"
-#include "embree_backend/nested_scene.h"
 
 namespace etalon {
 namespace {
@@ -78,60 +77,28 @@ UserPrimitives::UserPrimitives(const Geometry& geometry, const Intersector& inst
                                const std::vector<UserView>* objects)
     : geometry_(geometry), instances_(instances), entered_(objects) {}
 
-UserPrimitives::~UserPrimitives() = default;
-
 std::size_t UserPrimitives::memory_bytes() const {
-    std::size_t bytes = clusters_.memory_bytes() + singles_.memory_bytes() +
-                        objects_.capacity() * sizeof(ObjectSpace);
-    if (made_for_nested_) bytes += made_for_nested_->memory_bytes();
-    for (const auto& nested : nested_scenes_) bytes += nested->memory_bytes();
-    return bytes;
+    return clusters_.memory_bytes() + singles_.memory_bytes() + trees_.memory_bytes() +
+           objects_.capacity() * sizeof(ObjectSpace);
 }
 
-void UserPrimitives::make_nests(const EmbreeDevice& device, const NormalizedSpace& space,
-                                std::shared_ptr<const NestedSceneData> shared,
-                                std::vector<BoundedPrimitive>& singles) {
-    const double scene_scale = shared ? shared->scale : space.scale();
-    const auto least = static_cast<float>(smallest_nested_scene * space.scale() / scene_scale);
-    std::vector<NestedSceneItems> found = find_nested_scenes(singles, least);
-    if (found.empty()) return;
-    if (!shared) {
-        shared = std::make_shared<const NestedSceneData>(geometry_, instances_, space);
-        made_for_nested_ = shared;
-    }
-    std::vector<bool> is_nested(geometry_.item_count());
-    for (const NestedSceneItems& nested : found) {
-        for (const std::uint32_t item : nested.items) is_nested[item] = true;
-    }
-    std::erase_if(singles, [&](const BoundedPrimitive& p) { return is_nested[p.id]; });
-    for (NestedSceneItems& nested : found) {
-        const auto number =
-            geometry_.item_count() + static_cast<std::uint32_t>(nested_scenes_.size());
-        singles.emplace_back(nested.box, number, instance_kind);
-        nested_scenes_.push_back(std::make_unique<const NestedScene>(
-            device, geometry_, instances_, entered_, shared, std::move(nested.items)));
-    }
-}
-
-void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned first,
-                           const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives,
-                           const std::shared_ptr<const NestedSceneData>& shared) {
+void UserPrimitives::build(const EmbreeDevice& device, RTCScene target,
+                           const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives) {
     empty_ = primitives.empty();
     std::vector<BoundedPrimitive> singles = take_singles(primitives);
-    make_nests(device, space, shared, singles);
+    trees_ = InstanceTrees(geometry_, space, singles);
     singles_ = ids_of(singles);
-    if (!shared) objects_ = instances_.object_spaces();
-    std::array<Boxes, 3> boxes;
+    objects_ = instances_.object_spaces();
+    std::array<Boxes, geometries> boxes;
     boxes[ClusterRef::list] = boxes_of(singles);
     clusters_ =
         cluster(geometry_, space, build_scene_bvh(geometry_, space, std::move(primitives)), boxes);
     for (unsigned kind = 0; kind < boxes.size(); ++kind) {
-        attach(device, target, first + kind, boxes[kind], tracing_.callbacks[kind]);
+        attach(device, target, kind, boxes[kind], tracing_.callbacks[kind]);
     }
     device.commit(target);
-    view_.emplace(UserView{target, geometry_, clusters_, singles_, instances_,
-                           shared ? shared->objects.data() : objects_.data(), nested_scenes_.data(),
-                           entered_ ? entered_->data() : nullptr});
+    view_.emplace(UserView{target, geometry_, clusters_, singles_, instances_, objects_.data(),
+                           trees_, entered_ ? entered_->data() : nullptr});
 }
 
 }  // namespace etalon

@@ -8,9 +8,6 @@
 
 namespace etalon {
 
-struct NestedSceneData;
-class NestedScene;
-
 /// Primitives of which Embree knows only the boxes: those of clusters, and of single primitives
 /// that have no filter. Embree finds the boxes that a ray enters, nearest first; filters find what
 /// the ray could hit in them, and the kernels decide. Its robust flag has no effect on these. A
@@ -22,19 +19,16 @@ class UserPrimitives {
     /// their intersectors.
     UserPrimitives(const Geometry& geometry, const Intersector& instances,
                    const std::vector<UserView>* objects = nullptr);
-    ~UserPrimitives();
     UserPrimitives(const UserPrimitives&) = delete;
     UserPrimitives& operator=(const UserPrimitives&) = delete;
 
-    /// Number of geometry numbers that build() may use.
+    /// Number of geometries that build() may attach.
     static constexpr unsigned geometries = 3;
 
-    /// Attaches `primitives`, in this normalized space, to `target` as geometries from the number
-    /// `first` on, and builds `target` with whatever else is in it. `shared` is not null if they
-    /// are in a nested scene already.
-    void build(const EmbreeDevice& device, RTCScene target, unsigned first,
-               const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives,
-               const std::shared_ptr<const NestedSceneData>& shared = nullptr);
+    /// Attaches `primitives`, in this normalized space, to `target` as its first geometries, and
+    /// builds `target` with whatever else is in it.
+    void build(const EmbreeDevice& device, RTCScene target, const NormalizedSpace& space,
+               std::vector<BoundedPrimitive> primitives);
 
     bool empty() const { return empty_; }
     std::size_t memory_bytes() const;
@@ -52,20 +46,14 @@ class UserPrimitives {
     }
 
   private:
-    /// Puts a nested scene's box in the place of its instances.
-    void make_nests(const EmbreeDevice& device, const NormalizedSpace& space,
-                    std::shared_ptr<const NestedSceneData> shared,
-                    std::vector<BoundedPrimitive>& singles);
-
     const Geometry& geometry_;
     const Intersector& instances_;
     const std::vector<UserView>* const entered_;
     bool empty_ = true;
     Clusters clusters_;
     PrimitiveIds singles_;
-    std::vector<ObjectSpace> objects_;                        ///< empty in a nested scene
-    std::shared_ptr<const NestedSceneData> made_for_nested_;  ///< null in a nested scene
-    std::vector<std::unique_ptr<const NestedScene>> nested_scenes_;
+    std::vector<ObjectSpace> objects_;
+    InstanceTrees trees_;
     std::optional<UserView> view_;
     UserTracing tracing_ = user_tracing();
 };

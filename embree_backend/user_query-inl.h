@@ -9,7 +9,6 @@
 #include <new>
 
 #include "core/accel/clusters/filter-inl.h"
-#include "embree_backend/nested_scene.h"
 #include "embree_backend/query.h"
 #include "embree_backend/user_tracing.h"
 
@@ -44,10 +43,21 @@ struct UserQuery : EmbreeContext {
         initialise(*this);
     }
 
-    /// Returns the nested scene with a number that is not an item's, else null.
-    const NestedScene* nested(std::uint32_t number) const {
-        const std::uint32_t items = view.geometry.item_count();
-        return number < items ? nullptr : view.nested_scenes[number - items].get();
+    /// Returns whether a number is that of an instance tree, not an item's.
+    bool is_tree(std::uint32_t number) const { return number >= view.geometry.item_count(); }
+    const InstanceTree& tree(std::uint32_t number) const {
+        return view.trees[number - view.geometry.item_count()];
+    }
+
+    /// Takes over a hit, unless there is a better one in `nearest` or before it: a hit of Embree's
+    /// own geometries, whose t is in tfar. Returns whether it did.
+    HWY_INLINE bool take_over(const NearestHit& hit, RTCRay& ray) {
+        if (!(hit.t < nearest->t || hit.item != nearest->item)) return false;
+        const float tfar = local.tmax(hit.t);
+        if (tfar > ray.tfar) return false;
+        *nearest = hit;
+        ray.tfar = tfar;
+        return true;
     }
 
     /// Returns the lanes, lowest first, that the ray could hit from its tnear to its tfar; one lane
@@ -72,13 +82,18 @@ struct UserQuery : EmbreeContext {
     const RayQuery& query;
     const NormalizedRay& local;
     NearestHit* nearest;
+    std::uint32_t visited_tree = no_index;  ///< number of an instance tree that needs no visit
     Lazy<TriangleFilter> triangles;
     Lazy<SphereFilter> spheres;
 };
 
+/// See instance_tree-inl.h.
+void visit_tree_about_start(UserQuery& query, RTCRay& ray);
+
 inline void intersect(const UserView& view, const RayQuery& query, const NormalizedRay& local,
                       NearestHit& nearest, RTCRayHit& ray) {
     UserQuery context(view, query, local, &nearest);
+    if (HWY_UNLIKELY(!view.trees.empty())) visit_tree_about_start(context, ray.ray);
     embree_intersect(view.target, context, ray);
 }
 

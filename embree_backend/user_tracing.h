@@ -8,23 +8,22 @@
 #include "core/intersect/intersector.h"
 #include "core/intersect/object_space.h"
 #include "embree_backend/embree_shim.h"
+#include "embree_backend/instance_trees.h"
 #include "embree_backend/primitive_ids.h"
 
 namespace etalon {
-
-class NestedScene;
 
 /// View of everything that a ray can hit.
 struct UserView {
     RTCScene target;
     const Geometry& geometry;
     const Clusters& clusters;
-    /// Items without a filter, in place of lists; the numbers after all items are those of nested
-    /// scenes.
+    /// Items without a filter, in place of lists; the numbers after all items are those of instance
+    /// trees.
     const PrimitiveIds& singles;
     const Intersector& instances;
     const ObjectSpace* objects;  ///< one for each object of the geometry
-    const std::unique_ptr<const NestedScene>* nested_scenes;
+    const InstanceTrees& trees;
     const UserView* entered;  ///< views of the objects; null if only their intersectors know all
 };
 

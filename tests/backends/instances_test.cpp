@@ -59,6 +59,18 @@ std::size_t count_wrong(const Backend& backend, const Geometry& geometry,
     return wrong;
 }
 
+/// Compares all exact backends with the kernels. Returns the number of rays that hit.
+int check_all(const Geometry& geometry, const std::vector<Ray>& rays) {
+    std::vector<Hit> expected;
+    for (const Ray& ray : rays) expected.push_back(all_tested(geometry, ray));
+    for (const Backend& backend : exact_backends()) {
+        INFO("backend " << backend.name);
+        CHECK(count_wrong(backend, geometry, rays, expected) == 0);
+    }
+    return static_cast<int>(
+        std::ranges::count_if(expected, [](const Hit& hit) { return hit.primitive != no_index; }));
+}
+
 template <class Visit>
 void for_each_case(const Visit& visit) {
     for (const hard::HardCase& c : hard::hard_cases()) {
@@ -211,46 +223,69 @@ Geometry boxes_of_all_sizes(int count, const Place& place) {
     return geometry;
 }
 
+Geometry anywhere() {
+    return boxes_of_all_sizes(400, [](double, Random& random) { return random.in_cube(10); });
+}
+
+Geometry about_one_place() {
+    return boxes_of_all_sizes(1000, [](double size, Random& random) {
+        return Vec3(3, -4, 5) + 4 * size * random.direction();
+    });
+}
+
+/// More clusters than Embree's callbacks look for at once.
+Geometry in_clusters() {
+    std::array<Vec3, 12> centres;
+    Random at(30);
+    for (Vec3& centre : centres) centre = at.in_cube(100);
+    return boxes_of_all_sizes(3000, [&](double size, Random& random) {
+        return centres[random.index(centres.size())] + 30 * size * random.direction();
+    });
+}
+
+Affine any_instance(const Geometry& geometry, Random& random) {
+    return geometry.instances[random.index(geometry.instances.size())].to_world();
+}
+
+Vec3 point_at_edge(const Affine& instance, Random& random) {
+    Vec3 place;
+    for (int k = 0; k < 3; ++k) place[k] = random.one_in(5) ? random.uniform(-1, 1) : random.sign();
+    return instance.point(place);
+}
+
 /// Returns a ray at an edge of an instance's box, from a few or very many sizes away.
 Ray ray_at_edge(const Geometry& geometry, Random& random) {
-    const std::uint32_t number = random.index(geometry.instances.size());
-    const Affine map = geometry.instances[number].to_world();
-    Vec3 place, offset;
-    for (int k = 0; k < 3; ++k) {
-        place[k] = random.one_in(5) ? random.uniform(-1, 1) : random.sign();
-        offset[k] = random.uniform(-1, 1) * (random.one_in(3) ? 1e-9 : 1);
-    }
-    const double distance = map.x.x * random.magnitude(0, 9);
-    const Vec3 target = map.point(place), origin = target + distance * offset;
-    return {origin, target - origin};
+    const Affine instance = any_instance(geometry, random);
+    const double distance = instance.x.x * random.magnitude(0, 9);
+    Vec3 offset;
+    for (int k = 0; k < 3; ++k) offset[k] = random.uniform(-1, 1) * (random.one_in(3) ? 1e-9 : 1);
+    const Vec3 target = point_at_edge(instance, random), origin = target + distance * offset;
+    return {origin, origin == target ? offset : target - origin};
 }
 
 }  // namespace
 
 TEST_CASE("Given instances of all sizes and rays at their edges, none is culled that is hit",
           "[instances]") {
-    const bool is_nested = GENERATE(false, true);
-    CAPTURE(is_nested);
-    const Geometry geometry =
-        is_nested
-            ? boxes_of_all_sizes(1000,
-                                 [](double size, Random& random) {
-                                     return Vec3(3, -4, 5) + 4 * size * random.direction();
-                                 })
-            : boxes_of_all_sizes(400, [](double, Random& random) { return random.in_cube(10); });
+    using Make = Geometry (*)();
+    const Make make = GENERATE(as<Make>(), anywhere, about_one_place, in_clusters);
+    const Geometry geometry = make();
     Random random(32);
     std::vector<Ray> rays;
-    std::vector<Hit> expected;
+    for (int i = 0; i < 4000; ++i) rays.push_back(ray_at_edge(geometry, random));
+    CHECK(check_all(geometry, rays) > 1000);
+}
+
+TEST_CASE("Given instances of all sizes and rays from one to another, none is culled that is hit",
+          "[instances]") {
+    const Geometry geometry = in_clusters();
+    Random random(36);
+    std::vector<Ray> rays;
     for (int i = 0; i < 4000; ++i) {
-        rays.push_back(ray_at_edge(geometry, random));
-        expected.push_back(all_tested(geometry, rays.back()));
+        const Vec3 origin = point_at_edge(any_instance(geometry, random), random);
+        rays.push_back({origin, point_at_edge(any_instance(geometry, random), random) - origin});
     }
-    const auto is_hit = [](const Hit& hit) { return hit.primitive != no_index; };
-    CHECK(std::ranges::count_if(expected, is_hit) > 1000);
-    for (const Backend& backend : exact_backends()) {
-        INFO("backend " << backend.name);
-        CHECK(count_wrong(backend, geometry, rays, expected) == 0);
-    }
+    CHECK(check_all(geometry, rays) > 1000);
 }
 
 namespace {
@@ -283,18 +318,6 @@ Ray ray_at_extreme(const Geometry& geometry, double distance, double outside, Ra
     target[k] += side * outside * sum_abs(row);
     way[k] = 0;
     return {target - distance * sum_abs(row) * normalized(way), normalized(way)};
-}
-
-/// Compares all exact backends with the kernels. Returns the number of rays that hit.
-int check_all(const Geometry& geometry, const std::vector<Ray>& rays) {
-    std::vector<Hit> expected;
-    for (const Ray& ray : rays) expected.push_back(all_tested(geometry, ray));
-    for (const Backend& backend : exact_backends()) {
-        INFO("backend " << backend.name);
-        CHECK(count_wrong(backend, geometry, rays, expected) == 0);
-    }
-    return static_cast<int>(
-        std::ranges::count_if(expected, [](const Hit& hit) { return hit.primitive != no_index; }));
 }
 
 }  // namespace
@@ -332,6 +355,28 @@ TEST_CASE("Given instances of a large spread and rays from far away, none is cul
         hits += check_all(geometry, rays);
     }
     CHECK(hits > 30);
+}
+
+TEST_CASE(
+    "Given tiny instances of a large spread and rays from far away, none is culled that is hit",
+    "[instances]") {
+    constexpr double size = 1e-4;
+    Geometry geometry;
+    geometry.add(Box{{3, 3, 3}, {4, 4, 4}}, 0);
+    geometry.objects.resize(1);
+    geometry.objects[0].add(Box{Vec3(-1), Vec3(1)}, 0);
+    Random random(35);
+    for (int i = 0; i < 20; ++i) {
+        for (const Instance& cube : cubes_of_condition(1e3, random).instances) {
+            geometry.instances.emplace_back(scaling(Vec3(size)) * cube.to_world(), 0);
+        }
+    }
+    std::vector<Ray> rays;
+    for (int i = 0; i < 2000; ++i) {
+        const double distance = random.magnitude(6, 11), outside = random.magnitude(-8, -2);
+        rays.push_back(ray_at_extreme(geometry, distance, outside, random));
+    }
+    CHECK(check_all(geometry, rays) > 30);
 }
 
 TEST_CASE("Given instances of empty objects, nothing is hit", "[instances]") {

@@ -1,0 +1,85 @@
+// Traversal of instance trees. Compiled for each instruction set.
+#if defined(ETALON_INSTANCE_TREE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ETALON_INSTANCE_TREE_INL_H
+#undef ETALON_INSTANCE_TREE_INL_H
+#else
+#define ETALON_INSTANCE_TREE_INL_H
+#endif
+
+#include <algorithm>
+#include <bit>
+
+#include "core/accel/wide/fine_slabs-inl.h"
+#include "core/accel/wide/lane_select.h"
+#include "core/accel/wide/pairwise-inl.h"
+#include "core/accel/wide/traversal-inl.h"
+#include "core/accel/wide/traversal_counters.h"
+#include "core/intersect/normalized_ray.h"
+#include "embree_backend/instance_query-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+/// The item of a leaf, which is a single instance.
+HWY_INLINE std::uint32_t item_of(const Geometry& geometry, ClusterRef leaf) {
+    return static_cast<std::uint32_t>(geometry.primitives.size()) + leaf.instance();
+}
+
+/// Offers `nearest` the instances of a tree that the ray may hit: all of them if its space is too
+/// fine for the ray.
+inline HWY_NOINLINE void offer_tree(const UserQuery& query, const InstanceTree& tree,
+                                    NearestHit& nearest) {
+    const Ray& ray = query.query.ray;
+    if (HWY_UNLIKELY(!is_resolved(tree.space, ray))) {
+        for (const std::uint32_t item : tree.items) offer_instance(query, item, nearest);
+        return;
+    }
+    const auto local = normalized_ray(tree.space, ray);
+    if (!local) return;
+    const FineSlabs boxes(*local, local->tmin(ray.tmin),
+                          fine_ray(tree.space, tree.spread, ray, *local));
+    float tmax = local->tmax(nearest.t);
+    StackSpace space;
+    Traversal traversal(tree.wide, boxes, space, FrontToBack<BranchlessLaneSelect>(), Uncounted());
+    if (!traversal.begin(tmax)) return;
+    traversal.finish(tmax, [&](ClusterRef leaf) HWY_ATTR {
+        const double before = nearest.t;
+        offer_instance(query, item_of(query.view.geometry, leaf), nearest);
+        if (nearest.t < before) tmax = local->tmax(nearest.t);
+        return true;
+    });
+}
+
+inline HWY_NOINLINE bool tree_occludes(const UserQuery& query, const InstanceTree& tree) {
+    const Ray& ray = query.query.ray;
+    if (HWY_UNLIKELY(!is_resolved(tree.space, ray))) {
+        return std::ranges::any_of(
+            tree.items, [&](std::uint32_t item) { return instance_occludes(query, item); });
+    }
+    const auto local = normalized_ray(tree.space, ray);
+    if (!local) return false;
+    const FineSlabs boxes(*local, local->tmin(ray.tmin),
+                          fine_ray(tree.space, tree.spread, ray, *local));
+    PairwiseTraversal traversal(tree.wide, boxes, local->tmax(ray.tmax));
+    return traversal.begin() && traversal.finish([&](ClusterRef leaf) HWY_ATTR {
+        return instance_occludes(query, item_of(query.view.geometry, leaf));
+    });
+}
+
+/// Visits a tree in whose box the ray starts: its instances are likely to be the nearest, but
+/// Embree would visit all boxes about the start in any order.
+inline HWY_NOINLINE void visit_tree_about_start(UserQuery& query, RTCRay& ray) {
+    const WideNode& trees = query.view.trees.largest();
+    const std::uint32_t about = lanes_about(trees, query.local.origin);
+    if (about == 0) return;
+    const std::uint32_t number = trees.children[std::countr_zero(about)].node();
+    NearestHit nearest = *query.nearest;
+    offer_tree(query, query.view.trees[number], nearest);
+    query.take_over(nearest, ray);
+    query.visited_tree = query.view.geometry.item_count() + number;
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

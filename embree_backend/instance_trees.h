@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/intersect/bounded.h"
+#include "embree_backend/instance_tree.h"
+
+namespace etalon {
+
+/// The instance trees of one scene.
+class InstanceTrees {
+  public:
+    InstanceTrees() { largest_.clear(); }
+
+    /// Finds instances for trees among `singles`, the bounded primitives that have no filter. Puts
+    /// the box of a tree in the place of its instances; its id is the number of the geometry's
+    /// items and that of the tree added.
+    InstanceTrees(const Geometry& geometry, const NormalizedSpace& scene,
+                  std::vector<BoundedPrimitive>& singles);
+
+    bool empty() const { return trees_.empty(); }
+    const InstanceTree& operator[](std::size_t number) const { return trees_[number]; }
+
+    /// Returns the boxes, in the scene's space, of the up to eight trees that have the most
+    /// instances, the smallest box first. The children are not nodes, but numbers of trees.
+    const WideNode& largest() const { return largest_; }
+
+    std::size_t memory_bytes() const;
+
+  private:
+    void set_largest(std::vector<BoundedPrimitive> boxes);
+
+    std::vector<InstanceTree> trees_;
+    WideNode largest_;
+};
+
+}  // namespace etalon
