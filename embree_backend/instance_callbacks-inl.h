@@ -8,6 +8,7 @@
 
 #include <limits>
 
+#include "embree_backend/instance_query-inl.h"
 #include "embree_backend/instance_tree-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,8 +22,8 @@ inline HWY_NOINLINE void intersect_instance(const RTCIntersectFunctionNArguments
     NearestHit nearest = *query.nearest;
     if (!query.is_tree(item)) {
         offer_instance(query, item, nearest);
-    } else if (item != query.visited_tree) {
-        offer_tree(query, query.tree(item), nearest);
+    } else if (query.tree_index(item) != query.visited_tree) {
+        offer_tree(query, query.view.trees[query.tree_index(item)], nearest);
     }
     const bool found = query.take_over(nearest, ray);
     if (found) hit.geomID = arguments->geomID;
@@ -32,8 +33,9 @@ inline HWY_NOINLINE void intersect_instance(const RTCIntersectFunctionNArguments
 inline HWY_NOINLINE void occluded_by_instance(const RTCOccludedFunctionNArguments* arguments,
                                               std::uint32_t item) {
     const auto& query = *static_cast<const UserQuery*>(arguments->context);
-    const bool found = query.is_tree(item) ? tree_occludes(query, query.tree(item))
-                                           : instance_occludes(query, item);
+    const bool found = query.is_tree(item)
+                           ? tree_occludes(query, query.view.trees[query.tree_index(item)])
+                           : instance_occludes(query, item);
     if (found) single<RTCRay>(arguments->ray).tfar = -std::numeric_limits<float>::infinity();
     report(*arguments, found);
 }

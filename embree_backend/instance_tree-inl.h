@@ -66,17 +66,31 @@ inline HWY_NOINLINE bool tree_occludes(const UserQuery& query, const InstanceTre
     });
 }
 
-/// Visits a tree in whose box the ray starts: its instances are likely to be the nearest, but
-/// Embree would visit all boxes about the start in any order.
+/// Returns the lanes, lowest first, whose box contains a point.
+HWY_INLINE std::uint32_t lanes_about(const WideNode& node, const Vec3f& point) {
+    return lanes_where([&](std::size_t i) HWY_ATTR {
+        Floats outside = hn::Zero(Tag());
+        for (int k = 0; k < 3; ++k) {
+            const Floats p = broadcast(point[k]);
+            const Floats low = hn::Load(Tag(), &node.planes[WideNode::plane(k, false) + i]);
+            const Floats high = hn::Load(Tag(), &node.planes[WideNode::plane(k, true) + i]);
+            outside = hn::Max(outside, hn::Max(hn::Sub(low, p), hn::Sub(p, high)));
+        }
+        return hn::Le(outside, hn::Zero(Tag()));
+    });
+}
+
+/// Visits the tree with the smallest box about the ray's start, of those with the most instances:
+/// what the ray hits first is likely to be there, but Embree visits all boxes about the start in
+/// any order.
 inline HWY_NOINLINE void visit_tree_about_start(UserQuery& query, RTCRay& ray) {
     const WideNode& trees = query.view.trees.largest();
     const std::uint32_t about = lanes_about(trees, query.local.origin);
     if (about == 0) return;
-    const std::uint32_t number = trees.children[std::countr_zero(about)].node();
+    query.visited_tree = trees.children[std::countr_zero(about)].node();
     NearestHit nearest = *query.nearest;
-    offer_tree(query, query.view.trees[number], nearest);
+    offer_tree(query, query.view.trees[query.visited_tree], nearest);
     query.take_over(nearest, ray);
-    query.visited_tree = query.view.geometry.item_count() + number;
 }
 
 }  // namespace etalon::HWY_NAMESPACE

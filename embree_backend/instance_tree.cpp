@@ -1,14 +1,15 @@
 #include "embree_backend/instance_tree.h"
 
+#include "core/accel/tree/builder.h"
 #include "core/accel/tree/reinsertion.h"
 #include "core/intersect/bounded.h"
 
 namespace etalon {
 namespace {
 
-/// Size in the scene's space below which a tree's own space is not made finer, so that rays from
-/// anywhere in the scene are resolved.
-constexpr double smallest_space = 0x1p-20;
+/// Half the size, in the scene's space, below which a tree's own space is not made finer, so that
+/// rays from anywhere in the scene are resolved.
+constexpr double smallest_half = 0x1p-20;
 
 NormalizedSpace space_of(const Geometry& geometry, const NormalizedSpace& scene,
                          const InstanceBounds& bounds, const std::vector<std::uint32_t>& items) {
@@ -16,7 +17,7 @@ NormalizedSpace space_of(const Geometry& geometry, const NormalizedSpace& scene,
     for (const std::uint32_t item : items) {
         all.extendBy(bounds.boxes[geometry.instance_number(item)]);
     }
-    const Vec3 centre = all.center(), least(smallest_space / scene.scale());
+    const Vec3 centre = all.center(), least(smallest_half / scene.scale());
     all.extendBy(Box3(centre - least, centre + least));
     return NormalizedSpace(all);
 }

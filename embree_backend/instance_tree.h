@@ -7,9 +7,9 @@
 
 namespace etalon {
 
-/// Instances that are so small, and so near each other, that the padding of float boxes would be
-/// much of theirs in the scene around them, of which together they are one primitive. Their boxes
-/// are in a normalized space of their own, with least_padding, for FineSlabs.
+/// A wide tree of instances that are tiny beside the scene and near each other. For Embree it is
+/// one primitive. Its boxes are in a normalized space of its own, with least_padding, for
+/// FineSlabs: Embree's float boxes there would be mostly padding.
 struct InstanceTree {
     /// `all` are the numbers of at least one instance among the geometry's items; `bounds` are with
     /// least_padding. `scene` is the space of the scene.

@@ -2,79 +2,15 @@
 
 #include <algorithm>
 
+#include "embree_backend/tiny_instances.h"
+
 namespace etalon {
 namespace {
 
-/// Largest size of an instance, and of a tree, in the normalized space of the scene, whose boxes
-/// are padded by 2^-19 on each side.
-constexpr float largest_instance = 0x1p-12F, largest_tree = 0x1p-3F;
-constexpr std::ptrdiff_t fewest = 64;
-
-float extent(const Box3f& box) {
-    const Vec3f size = box.size();
-    return std::max({size.x, size.y, size.z});
-}
-
-bool is_small(const Geometry& geometry, const BoundedPrimitive& p) {
-    constexpr auto padding = static_cast<float>(2 * NormalizedSpace::padding);
-    return p.kind == instance_kind && extent(p.box()) < largest_instance + padding &&
-           geometry.instance_number(p.id) < ClusterRef::most_single;
-}
-
-/// The instances of a tree that is to be made.
-struct Found {
-    Box3f box;
-    std::vector<std::uint32_t> items;
-};
-
-/// Collects the nodes of a binary tree that are small enough to be trees of their own, and have
-/// enough instances.
-class Finder {
-  public:
-    explicit Finder(const BvhTree& tree) : tree_(tree) { visit(0); }
-
-    std::vector<Found> take() { return std::move(found_); }
-
-  private:
-    void visit(std::size_t index) {
-        const BvhNode& node = tree_.nodes[index];
-        const auto begin = tree_.ids.begin() + first(index), end = tree_.ids.begin() + last(index);
-        if (end - begin < fewest) return;
-        if (extent(node.box) < largest_tree) {
-            found_.push_back({node.box, {begin, end}});
-            std::ranges::sort(found_.back().items);
-        } else if (!node.is_leaf()) {
-            visit(node.first);
-            visit(node.first + 1);
-        }
-    }
-
-    /// The range of a node's primitives, which are in the order of the leaves.
-    std::uint32_t first(std::size_t index) const {
-        while (!tree_.nodes[index].is_leaf()) index = tree_.nodes[index].first;
-        return tree_.nodes[index].first;
-    }
-    std::uint32_t last(std::size_t index) const {
-        while (!tree_.nodes[index].is_leaf()) index = tree_.nodes[index].first + 1;
-        return tree_.nodes[index].first + tree_.nodes[index].count;
-    }
-
-    const BvhTree& tree_;
-    std::vector<Found> found_;
-};
-
-std::vector<Found> find(const Geometry& geometry, const std::vector<BoundedPrimitive>& singles) {
-    std::vector<BoundedPrimitive> small;
-    std::ranges::copy_if(singles, std::back_inserter(small),
-                         [&](const BoundedPrimitive& p) { return is_small(geometry, p); });
-    if (std::ssize(small) < fewest) return {};
-    return Finder(build_bvh(std::move(small))).take();
-}
-
 InstanceBounds bounds_with_least_padding(const Geometry& geometry, const NormalizedSpace& scene) {
     const Vec3 &centre = scene.centre(), &reach = scene.reach();
-    return instance_bounds(geometry, Box3(centre - reach, centre + reach), NearRegion(),
-                           least_padding);
+    return instance_bounds(geometry, Box3(centre - reach, centre + reach),
+                           NearRegion{centre, max_abs(reach)}, least_padding);
 }
 
 }  // namespace
@@ -82,20 +18,20 @@ InstanceBounds bounds_with_least_padding(const Geometry& geometry, const Normali
 InstanceTrees::InstanceTrees(const Geometry& geometry, const NormalizedSpace& scene,
                              std::vector<BoundedPrimitive>& singles)
     : InstanceTrees() {
-    std::vector<Found> found = find(geometry, singles);
+    std::vector<TinyInstances> found = find_tiny_instances(geometry, singles);
     if (found.empty()) return;
     std::vector<bool> is_taken(geometry.item_count());
-    for (const Found& of_tree : found) {
-        for (const std::uint32_t item : of_tree.items) is_taken[item] = true;
+    for (const TinyInstances& group : found) {
+        for (const std::uint32_t item : group.items) is_taken[item] = true;
     }
     std::erase_if(singles, [&](const BoundedPrimitive& p) { return is_taken[p.id]; });
     const InstanceBounds bounds = bounds_with_least_padding(geometry, scene);
     std::vector<BoundedPrimitive> boxes;
-    for (Found& of_tree : found) {
-        const auto number = static_cast<std::uint32_t>(trees_.size());
-        boxes.emplace_back(of_tree.box, number, instance_kind);
-        singles.emplace_back(of_tree.box, geometry.item_count() + number, instance_kind);
-        trees_.emplace_back(geometry, scene, bounds, std::move(of_tree.items));
+    for (TinyInstances& group : found) {
+        const auto index = static_cast<std::uint32_t>(trees_.size());
+        boxes.emplace_back(group.box, index, instance_kind);
+        singles.emplace_back(group.box, geometry.item_count() + index, instance_kind);
+        trees_.emplace_back(geometry, scene, bounds, std::move(group.items));
     }
     set_largest(std::move(boxes));
 }

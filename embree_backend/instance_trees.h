@@ -10,17 +10,17 @@ class InstanceTrees {
   public:
     InstanceTrees() { largest_.clear(); }
 
-    /// Finds instances for trees among `singles`, the bounded primitives that have no filter. Puts
-    /// the box of a tree in the place of its instances; its id is the number of the geometry's
-    /// items and that of the tree added.
+    /// Makes trees of the tiny instances among `singles`, the bounded primitives that have no
+    /// filter. Puts the box of a tree in the place of its instances; its id is item_count() plus
+    /// the tree's index.
     InstanceTrees(const Geometry& geometry, const NormalizedSpace& scene,
                   std::vector<BoundedPrimitive>& singles);
 
     bool empty() const { return trees_.empty(); }
-    const InstanceTree& operator[](std::size_t number) const { return trees_[number]; }
+    const InstanceTree& operator[](std::size_t index) const { return trees_[index]; }
 
     /// Returns the boxes, in the scene's space, of the up to eight trees that have the most
-    /// instances, the smallest box first. The children are not nodes, but numbers of trees.
+    /// instances, the smallest box first. The children are not nodes, but indices of trees.
     const WideNode& largest() const { return largest_; }
 
     std::size_t memory_bytes() const;

@@ -38,7 +38,7 @@ Boxes boxes_of(const std::vector<BoundedPrimitive>& primitives) {
 
 /// Returns the leaves of a tree as clusters, and sets their boxes by kind of cluster.
 Clusters cluster(const Geometry& geometry, const NormalizedSpace& space, BvhTree tree,
-                 std::array<Boxes, 3>& boxes) {
+                 std::array<Boxes, UserPrimitives::geometries>& boxes) {
     std::vector<Range> ranges;
     for (const BvhNode& node : tree.nodes) {
         if (!node.is_leaf()) continue;

@@ -43,14 +43,14 @@ struct UserQuery : EmbreeContext {
         initialise(*this);
     }
 
-    /// Returns whether a number is that of an instance tree, not an item's.
-    bool is_tree(std::uint32_t number) const { return number >= view.geometry.item_count(); }
-    const InstanceTree& tree(std::uint32_t number) const {
-        return view.trees[number - view.geometry.item_count()];
+    /// Returns whether the number of a single is that of an instance tree, not an item's.
+    bool is_tree(std::uint32_t single) const { return single >= view.geometry.item_count(); }
+    std::uint32_t tree_index(std::uint32_t single) const {
+        return single - view.geometry.item_count();
     }
 
-    /// Takes over a hit, unless there is a better one in `nearest` or before it: a hit of Embree's
-    /// own geometries, whose t is in tfar. Returns whether it did.
+    /// Takes over `hit`, a copy of `nearest` after further offers, if it has changed, and if no hit
+    /// of Embree's own geometries, whose t is in tfar, is nearer. Returns whether it did.
     HWY_INLINE bool take_over(const NearestHit& hit, RTCRay& ray) {
         if (!(hit.t < nearest->t || hit.item != nearest->item)) return false;
         const float tfar = local.tmax(hit.t);
@@ -82,7 +82,7 @@ struct UserQuery : EmbreeContext {
     const RayQuery& query;
     const NormalizedRay& local;
     NearestHit* nearest;
-    std::uint32_t visited_tree = no_index;  ///< number of an instance tree that needs no visit
+    std::uint32_t visited_tree = no_index;  ///< index of one that is done, if any
     Lazy<TriangleFilter> triangles;
     Lazy<SphereFilter> spheres;
 };

@@ -19,20 +19,6 @@ HWY_INLINE float divisor(float d, float least) {
     return std::abs(d) < least ? std::copysign(least, d) : d;
 }
 
-/// Returns the lanes, lowest first, whose box contains a point.
-HWY_INLINE std::uint32_t lanes_about(const WideNode& node, const Vec3f& point) {
-    return lanes_where([&](std::size_t i) HWY_ATTR {
-        Floats outside = hn::Zero(Tag());
-        for (int k = 0; k < 3; ++k) {
-            const Floats p = broadcast(point[k]);
-            const Floats low = hn::Load(Tag(), &node.planes[WideNode::plane(k, false) + i]);
-            const Floats high = hn::Load(Tag(), &node.planes[WideNode::plane(k, true) + i]);
-            outside = hn::Max(outside, hn::Max(hn::Sub(low, p), hn::Sub(p, high)));
-        }
-        return hn::Le(outside, hn::Zero(Tag()));
-    });
-}
-
 /// Slab test (Kay & Kajiya 1986) of a ray with the eight boxes of a node. `Passages` computes where
 /// the ray crosses planes.
 template <class Passages>

@@ -1,4 +1,4 @@
-// Traversal from node to node of the tree. Compiled for each instruction set.
+// Traversal from node to node of a wide tree. Compiled for each instruction set.
 #if defined(ETALON_TRAVERSAL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_TRAVERSAL_INL_H
 #undef ETALON_TRAVERSAL_INL_H

@@ -1,4 +1,4 @@
-// Eight boxes that are tested at once: a node of the hierarchy, and the lists of the grid's cells.
+// Eight boxes that are tested at once: a node of a wide tree, and the lists of the grid's cells.
 #pragma once
 
 #include <array>
