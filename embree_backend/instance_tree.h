@@ -9,7 +9,7 @@ namespace etalon {
 
 /// A wide tree of instances that are tiny beside the scene and near each other. For Embree it is
 /// one primitive. Its boxes are in a normalized space of its own, with least_padding, for
-/// FineSlabs: Embree's float boxes there would be mostly padding.
+/// FineSlabs: Embree's float boxes need a padding of 2^-19 of the scene.
 struct InstanceTree {
     /// `all` are the numbers of at least one instance among the geometry's items; `bounds` are with
     /// least_padding. `scene` is the space of the scene.
