@@ -39,11 +39,7 @@ std::vector<ObjectOutline> outlines_of(const std::vector<Geometry>& objects) {
 Box3 unpadded_moving(const AnimatedTransform& motion, const ObjectOutline& outline) {
     const MotionBounds bounds(motion);
     if (!bounds.exist() || outline.is_unbounded()) return everywhere();
-    Box3 world;
-    for (const ObjectOutline::Part& part : outline.parts()) {
-        world.extendBy(bounds.box({part.centre - part.half, part.centre + part.half}));
-    }
-    return world;
+    return outline.box().isEmpty() ? Box3() : bounds.box(outline);
 }
 
 Box3 unpadded_still(const std::optional<Affine>& map, const ObjectOutline& outline) {

@@ -45,8 +45,18 @@ MotionBounds::MotionBounds(const AnimatedTransform& motion) : motion_(motion) {
 Box3 MotionBounds::box(const Box3& box) const {
     Box3 all;
     for (const Affine& map : maps_) all.extendBy(image(map, box));
-    const Vec3 margin(motion_.deviation(box, length_));
-    return {all.min - margin, all.max + margin};
+    return between(all, box);
+}
+
+Box3 MotionBounds::box(const ObjectOutline& outline) const {
+    Box3 all;
+    for (const Affine& map : maps_) all.extendBy(outline.image(map));
+    return between(all, outline.box());
+}
+
+Box3 MotionBounds::between(const Box3& ends, const Box3& object) const {
+    const Vec3 margin(motion_.deviation(object, length_));
+    return {ends.min - margin, ends.max + margin};
 }
 
 /// The origin moves along a straight line, so one of its ends is the furthest.

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "core/intersect/object_outline.h"
 #include "core/scene/animated_transform.h"
 
 namespace etalon {
@@ -24,6 +25,9 @@ class MotionBounds {
     /// Returns the box of all positions of the points of `box`.
     Box3 box(const Box3& box) const;
 
+    /// The same for an object. `outline` is bounded.
+    Box3 box(const ObjectOutline& outline) const;
+
     /// Returns a bound on |A^-1| |A| v at all times, for each axis: A is the inverse of the map,
     /// and v has three components 1.
     double spread() const { return spread_; }
@@ -34,6 +38,9 @@ class MotionBounds {
 
   private:
     static constexpr std::size_t slices = 32;
+
+    /// Returns the box of all positions, from that of the positions at the ends of slices.
+    Box3 between(const Box3& ends, const Box3& object) const;
 
     const AnimatedTransform& motion_;
     double length_;  ///< of a slice, as a fraction of the motion

@@ -1,33 +1,30 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
+#include "core/intersect/directional_extents.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {
 
-/// An object as the boxes of what lies in the octants about its centre. Transformed to world space
-/// they are smaller than the box of a single one.
+/// An object as its extents along many directions. Its image under a map has little more than the
+/// smallest box.
 class ObjectOutline {
   public:
-    struct Part {
-        Vec3 centre, half;
-    };
-
     ObjectOutline() = default;
     explicit ObjectOutline(const Geometry& object);
 
+    /// Returns whether it has bounds that can be calculated with. That of an empty object is
+    /// bounded, too.
     bool is_unbounded() const { return is_unbounded_; }
 
-    /// Empty for an object that is empty or unbounded.
-    std::span<const Part> parts() const { return parts_; }
+    /// Returns the object's box. Empty for an object that is empty or unbounded.
+    const Box3& box() const { return box_; }
 
-    /// Returns the box of the images of all parts.
+    /// Returns a box of the image.
     Box3 image(const Affine& map) const;
 
   private:
-    std::vector<Part> parts_;
+    Box3 box_;
+    DirectionalExtents extents_;  ///< from the centre of the box
     bool is_unbounded_ = false;
 };
 

@@ -18,11 +18,12 @@ Affine any_map(Random& random, double most_degrees = 180) {
     return map;
 }
 
-/// A unit sphere, farther from the object's origin than in any reasonable scene.
-Geometry moving_sphere(const AnimatedTransform& motion, const Vec3& centre = Vec3(2, 0, 1)) {
+/// A sphere, farther from the object's origin than in any reasonable scene.
+Geometry moving_sphere(const AnimatedTransform& motion, const Vec3& centre = Vec3(2, 0, 1),
+                       double radius = 1) {
     Geometry geometry;
     geometry.objects.resize(1);
-    geometry.objects[0].add(Sphere{centre, 1}, 7);
+    geometry.objects[0].add(Sphere{centre, radius}, 7);
     geometry.add_moving_instance(motion, 0);
     return geometry;
 }
@@ -85,12 +86,13 @@ TEST_CASE("The box of a moving instance holds it at all times, and is tight") {
     Random random(2);
     for (int i = 0; i < 500; ++i) {
         const AnimatedTransform motion = any_motion(random, i % 2 == 0 ? 180 : 3);
-        const Geometry geometry = moving_sphere(motion);
+        const double radius = i % 4 < 2 ? 1 : 1e-3;
+        const Geometry geometry = moving_sphere(motion, Vec3(2, 0, 1), radius);
         const Box3 box = instance_bounds(geometry, {}).boxes.front();
         Box3 needed;
         for (int k = 0; k < 400; ++k) {
-            const Vec3 point =
-                motion.at(shutter_time(random.uniform())).point(Vec3(2, 0, 1) + random.direction());
+            const Vec3 point = motion.at(shutter_time(random.uniform()))
+                                   .point(Vec3(2, 0, 1) + radius * random.direction());
             CAPTURE(i, k);
             REQUIRE(box.intersects(point));
             needed.extendBy(point);
