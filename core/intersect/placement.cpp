@@ -85,6 +85,7 @@ Parametrization placed(const Instance& instance, const Parametrization& local) {
 }
 
 double first_hit(const Geometry& geometry, HitKey key, const Ray& ray) {
+    if (!is_valid(ray)) return no_hit;
     if (has_extreme_direction(ray)) {
         const RescaledRay usual(ray);
         return first_hit(geometry, key, usual.ray) * usual.unit;

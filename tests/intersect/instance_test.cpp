@@ -229,3 +229,9 @@ TEST_CASE("Instance: given an object without a bound, then neither has its insta
     geometry.objects[0].add(Plane{{0, 0, 0}, {0, 0, 1}}, 0);
     CHECK(instance_bounds(geometry, {}).boxes.front().max.x == infinity);
 }
+
+TEST_CASE("Instance: given a ray without a direction, then it hits nothing") {
+    const Geometry geometry = sphere_under({});
+    CHECK(std::isnan(first_hit(geometry, key_of(0, 0), Ray{Vec3(0), Vec3(0)})));
+    CHECK(std::isnan(first_hit(geometry, key_of(0, 0), Ray{Vec3(0), Vec3(infinity)})));
+}
