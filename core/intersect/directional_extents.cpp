@@ -12,8 +12,8 @@
 
 #include "core/numerics/vec_lanes-inl.h"
 
-#ifndef ETALON_EXTENT_GRID
-#define ETALON_EXTENT_GRID
+#ifndef ETALON_DIRECTIONAL_EXTENTS_ONCE
+#define ETALON_DIRECTIONAL_EXTENTS_ONCE
 namespace etalon {
 namespace {
 

@@ -7,8 +7,8 @@
 
 namespace etalon {
 
-/// How far a set of points extends along the directions of a grid: a discrete oriented polytope
-/// (Klosowski et al. 1998). Bounds from it how far the set extends along any direction.
+/// The support function of a set of points, for the directions of a grid, which is a discrete
+/// oriented polytope (Klosowski et al. 1998). For other directions it is bounded from above.
 class DirectionalExtents {
   public:
     DirectionalExtents() { extents_.fill(-infinity); }
@@ -21,7 +21,8 @@ class DirectionalExtents {
         double along, against;
     };
 
-    /// Returns bounds that exceed the extents of a ball by at most a sixteenth.
+    /// Returns bounds for a finite direction. They exceed the extents of a ball about the origin by
+    /// at most a sixteenth. No product of a direction and a point may be below the range of double.
     Extent extent(const Vec3& direction) const;
 
     /// Cells along each edge of the faces of a cube, to whose corners the directions point.

@@ -22,11 +22,6 @@ constexpr double room_for_margins = 1.5;
 /// this margin all boxes are within 1.9 of it.
 constexpr double largest_margin = 1.0 / 16;
 
-const Box3& everywhere() {
-    static const Box3 box(Vec3(-infinity), Vec3(infinity));
-    return box;
-}
-
 std::vector<ObjectOutline> outlines_of(const std::vector<Geometry>& objects) {
     std::vector<ObjectOutline> outlines(objects.size());
     Chunks(objects.size(), 1)
@@ -38,13 +33,12 @@ std::vector<ObjectOutline> outlines_of(const std::vector<Geometry>& objects) {
 
 Box3 unpadded_moving(const AnimatedTransform& motion, const ObjectOutline& outline) {
     const MotionBounds bounds(motion);
-    if (!bounds.exist() || outline.is_unbounded()) return everywhere();
-    return outline.box().isEmpty() ? Box3() : bounds.box(outline);
+    return bounds.exist() ? bounds.box(outline) : everywhere();
 }
 
 Box3 unpadded_still(const std::optional<Affine>& map, const ObjectOutline& outline) {
     if (map && !is_finite(*map)) return {};
-    return map && !outline.is_unbounded() ? outline.image(*map) : everywhere();
+    return map ? outline.image(*map) : everywhere();
 }
 
 Box3 bounded_or_everywhere(const Box3& box) {

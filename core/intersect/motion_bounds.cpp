@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/intersect/near_region.h"
 #include "core/scene/instance.h"
 
 namespace etalon {
@@ -42,21 +43,21 @@ MotionBounds::MotionBounds(const AnimatedTransform& motion) : motion_(motion) {
     if (smallest > 0) spread_ = 3 * largest / smallest;
 }
 
-Box3 MotionBounds::box(const Box3& box) const {
+template <class Image>
+Box3 MotionBounds::box_of_images(const Box3& box, const Image& image) const {
     Box3 all;
-    for (const Affine& map : maps_) all.extendBy(image(map, box));
-    return between(all, box);
+    for (const Affine& map : maps_) all.extendBy(image(map));
+    const Vec3 margin(motion_.deviation(box, length_));
+    return {all.min - margin, all.max + margin};
+}
+
+Box3 MotionBounds::box(const Box3& box) const {
+    return box_of_images(box, [&](const Affine& map) { return image(map, box); });
 }
 
 Box3 MotionBounds::box(const ObjectOutline& outline) const {
-    Box3 all;
-    for (const Affine& map : maps_) all.extendBy(outline.image(map));
-    return between(all, outline.box());
-}
-
-Box3 MotionBounds::between(const Box3& ends, const Box3& object) const {
-    const Vec3 margin(motion_.deviation(object, length_));
-    return {ends.min - margin, ends.max + margin};
+    if (!is_bounded(outline.box())) return outline.box();
+    return box_of_images(outline.box(), [&](const Affine& map) { return outline.image(map); });
 }
 
 /// The origin moves along a straight line, so one of its ends is the furthest.

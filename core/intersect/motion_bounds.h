@@ -25,7 +25,7 @@ class MotionBounds {
     /// Returns the box of all positions of the points of `box`.
     Box3 box(const Box3& box) const;
 
-    /// The same for an object. `outline` is bounded.
+    /// The same for the points of an object.
     Box3 box(const ObjectOutline& outline) const;
 
     /// Returns a bound on |A^-1| |A| v at all times, for each axis: A is the inverse of the map,
@@ -39,8 +39,10 @@ class MotionBounds {
   private:
     static constexpr std::size_t slices = 32;
 
-    /// Returns the box of all positions, from that of the positions at the ends of slices.
-    Box3 between(const Box3& ends, const Box3& object) const;
+    /// Returns the box of all positions of the points of `box`, or of some of them: image(map) is a
+    /// box of what they are at one time.
+    template <class Image>
+    Box3 box_of_images(const Box3& box, const Image& image) const;
 
     const AnimatedTransform& motion_;
     double length_;  ///< of a slice, as a fraction of the motion

@@ -6,6 +6,11 @@ namespace etalon {
 
 struct Geometry;
 
+/// Returns the box of all points.
+inline Box3 everywhere() {
+    return {Vec3(-infinity), Vec3(infinity)};
+}
+
 /// Returns whether the box is not empty and all of its coordinates are finite.
 inline bool is_bounded(const Box3& box) {
     return !box.isEmpty() && is_finite(box.min) && is_finite(box.max);

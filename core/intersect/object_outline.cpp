@@ -1,12 +1,22 @@
 #include "core/intersect/object_outline.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "core/intersect/kernels.h"
+#include "core/intersect/near_region.h"
 
 namespace etalon {
 namespace {
 
-/// Largest coordinate of a bounded object. Sums and differences of few such numbers are finite.
-constexpr double largest_coordinate = 0x1p1000;
+/// Limits between which sums, differences and roundings of coordinates stay in the range of double.
+constexpr double largest_coordinate = 0x1p1000, smallest_size = 0x1p-900;
+
+bool is_in_range(const Box3& box) {
+    const double size = max_abs(box.size());
+    return std::max(max_abs(box.min), max_abs(box.max)) < largest_coordinate &&
+           (size >= smallest_size || size == 0);
+}
 
 Box3 box_of(const Geometry& object) {
     Box3 all;
@@ -39,16 +49,6 @@ class VisitedVertices {
     std::vector<bool> visited_;
 };
 
-/// Calls visit(point) for the corners of a box.
-template <class Visit>
-void visit_corners(const Box3& box, const Visit& visit) {
-    for (const double x : {box.min.x, box.max.x}) {
-        for (const double y : {box.min.y, box.max.y}) {
-            for (const double z : {box.min.z, box.max.z}) visit(Vec3(x, y, z));
-        }
-    }
-}
-
 /// Calls visit(centre, radius) for balls whose convex hull contains the object: spheres, the
 /// vertices of triangles, and the corners of the boxes of all else.
 template <class Visit>
@@ -66,26 +66,26 @@ void visit_balls(const Geometry& object, const Visit& visit) {
             const Sphere& sphere = object.get<Sphere>(p);
             visit(sphere.centre, sphere.radius);
         } else {
-            visit_corners(box, [&](const Vec3& corner) { visit(corner, 0); });
+            for_each_corner(box, [&](const Vec3& corner) { visit(corner, 0); });
         }
     }
 }
 
 }  // namespace
 
-ObjectOutline::ObjectOutline(const Geometry& object) {
-    const Box3 box = box_of(object);
-    if (box.isEmpty()) return;
-    is_unbounded_ = !(std::max(max_abs(box.min), max_abs(box.max)) < largest_coordinate);
-    if (is_unbounded_) return;
-    box_ = box;
+ObjectOutline::ObjectOutline(const Geometry& object) : box_(box_of(object)) {
+    if (box_.isEmpty()) return;
+    if (!is_in_range(box_)) {
+        box_ = everywhere();
+        return;
+    }
     visit_balls(object, [&](const Vec3& centre, double radius) {
         extents_.extend_by(centre - box_.center(), radius);
     });
 }
 
 Box3 ObjectOutline::image(const Affine& map) const {
-    if (box_.isEmpty()) return {};
+    if (!is_bounded(box_)) return box_;
     const Vec3 centre = map.point(box_.center());
     Box3 image;
     for (int k = 0; k < 3; ++k) {
@@ -93,7 +93,7 @@ Box3 ObjectOutline::image(const Affine& map) const {
         image.min[k] = centre[k] - against;
         image.max[k] = centre[k] + along;
     }
-    return image;
+    return is_bounded(image) ? image : everywhere();
 }
 
 }  // namespace etalon

@@ -5,27 +5,23 @@
 
 namespace etalon {
 
-/// An object as its extents along many directions. Its image under a map has little more than the
-/// smallest box.
+/// An object as its extents along many directions, which bound its images under affine maps.
 class ObjectOutline {
   public:
     ObjectOutline() = default;
     explicit ObjectOutline(const Geometry& object);
 
-    /// Returns whether it has bounds that can be calculated with. That of an empty object is
-    /// bounded, too.
-    bool is_unbounded() const { return is_unbounded_; }
-
-    /// Returns the object's box. Empty for an object that is empty or unbounded.
+    /// Returns the object's box: empty if nothing of it can be hit, everywhere() if it is
+    /// unbounded.
     const Box3& box() const { return box_; }
 
-    /// Returns a box of the image.
+    /// Returns a box of the image under a finite map; everywhere() also where products leave the
+    /// range of double. For most objects it is little larger than the smallest.
     Box3 image(const Affine& map) const;
 
   private:
     Box3 box_;
     DirectionalExtents extents_;  ///< from the centre of the box
-    bool is_unbounded_ = false;
 };
 
 }  // namespace etalon

@@ -48,6 +48,15 @@ inline Vec3 normalized(const Vec3& v) {
     return v / std::sqrt(v.dot(v));
 }
 
+/// Calls visit(point) for the eight corners of a box.
+template <class Visit>
+void for_each_corner(const Box3& box, const Visit& visit) {
+    for (unsigned i = 0; i < 8; ++i) {
+        visit(Vec3((i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
+                   (i & 4) != 0 ? box.max.z : box.min.z));
+    }
+}
+
 /// Returns the index (0, 1, 2) of the component of largest magnitude; the lower index on a tie.
 inline int dominant_axis(const Vec3& v) {
     const Vec3 a = abs(v);

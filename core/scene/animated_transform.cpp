@@ -27,14 +27,6 @@ Affine stretch_before(const Affine& rotation, const Affine& map) {
     return {back(map.x), back(map.y), back(map.z)};
 }
 
-template <class Visit>
-void for_each_corner(const Box3& box, const Visit& visit) {
-    for (unsigned i = 0; i < 8; ++i) {
-        visit(Vec3((i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
-                   (i & 4) != 0 ? box.max.z : box.min.z));
-    }
-}
-
 }  // namespace
 
 AnimatedTransform::AnimatedTransform(const Affine& start, const Affine& end,

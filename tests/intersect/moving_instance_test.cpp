@@ -86,7 +86,7 @@ TEST_CASE("The box of a moving instance holds it at all times, and is tight") {
     Random random(2);
     for (int i = 0; i < 500; ++i) {
         const AnimatedTransform motion = any_motion(random, i % 2 == 0 ? 180 : 3);
-        const double radius = i % 4 < 2 ? 1 : 1e-3;
+        const double radius = i % 4 < 2 ? 1 : 1e-3;  // the box of a small one has no room to spare
         const Geometry geometry = moving_sphere(motion, Vec3(2, 0, 1), radius);
         const Box3 box = instance_bounds(geometry, {}).boxes.front();
         Box3 needed;
