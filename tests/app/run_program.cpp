@@ -65,8 +65,9 @@ ProgramResult Folder::shell(const std::string& command, const std::string& input
 ProgramResult interrupted(const Folder& f, const std::string& command, const std::string& until,
                           const std::string& signal) {
     // Removes the output of an earlier program, which must not be mistaken for that of this one.
-    const auto r = f.shell("rm -f out err; '" ETALON_BINARY_DIR "/bin/'" + command +
-                           " >out 2>err & pid=$!; while kill -0 $pid && ! { " + until +
+    // The temporary files of a program that is killed are removed with the folder.
+    const auto r = f.shell("export TMPDIR=$PWD; rm -f out err; '" ETALON_BINARY_DIR "/bin/'" +
+                           command + " >out 2>err & pid=$!; while kill -0 $pid && ! { " + until +
                            "; }; do sleep 0.02; done 2>loop; kill -" + signal + " $pid; wait $pid");
     return {r.status, f.read("out"), f.read("err"), r.peak_bytes};
 }
