@@ -33,7 +33,7 @@ class DirectionalExtents {
 
   private:
     alignas(64) Values extents_;
-    double largest_ = 0;  ///< magnitude of a coordinate
+    double largest_ = 0;  ///< magnitude of a coordinate of any point
 };
 
 }  // namespace etalon
